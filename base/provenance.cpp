@@ -1,5 +1,6 @@
 #include "base/provenance.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace fascia {
@@ -14,6 +15,16 @@ std::size_t behind(const std::string& text, std::string_view line) {
   const std::size_t at = text.find(line);
   const std::size_t end = at == std::string::npos ? at : text.find('\n', at);
   return end == std::string::npos ? 0 : end + 1;
+}
+
+// Abaqus reads at most 256 characters a line.
+constexpr std::string_view kGoesOn = "**+";
+std::string abaqus_comment(const std::string& line) {
+  constexpr std::size_t kMost = 200;
+  std::string text;
+  for (std::size_t at = 0; at < line.size(); at += kMost)
+    text.append(at == 0 ? "** " : kGoesOn).append(line, at, kMost).append("\n");
+  return text;
 }
 
 }  // namespace
@@ -36,6 +47,7 @@ std::string with_provenance(std::string text, const std::string& ending, const P
   const std::string line = "fascia: " + provenance_json(provenance);
   if (ending == ".vtu") text.insert(behind(text, "<?xml"), "<!-- " + line + " -->\n");
   if (ending == ".msh") text.insert(behind(text, "$EndMeshFormat"), "$Comments\n" + line + "\n$EndComments\n");
+  if (ending == ".inp") text.insert(0, abaqus_comment(line));
   if (ending == ".obj") text.insert(0, "# " + line + "\n");
   return text;
 }
@@ -43,9 +55,13 @@ std::string with_provenance(std::string text, const std::string& ending, const P
 Provenance find_provenance(std::string_view text) {
   const std::size_t at = text.substr(0, kSearched).find(kMark);
   if (at == std::string_view::npos) return {};
-  std::string_view line = text.substr(at + kMark.size() - 1);
-  line = line.substr(0, line.find('\n'));
-  line = line.substr(0, line.rfind('}') + 1);
+  std::string line;
+  for (std::size_t begin = at + kMark.size() - 1; begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    line += text.substr(begin, end - begin);
+    begin = end < text.size() && text.substr(end + 1).starts_with(kGoesOn) ? end + 1 + kGoesOn.size() : text.npos;
+  }
+  line.resize(line.rfind('}') + 1);
   const Json object = Json::parse(line, nullptr, false);
   Provenance provenance;
   if (!object.is_object()) return {};

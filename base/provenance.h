@@ -16,7 +16,7 @@ Provenance without_moment(Provenance provenance);
 
 /// {"Software":"fascia 0.2.0",...}, on one line and without "--", which XML comments must not contain.
 std::string provenance_json(const Provenance& provenance);
-/// The text of an export with the provenance line, if its extension is .vtu, .msh or .obj; other texts are unchanged,
+/// The text of an export with the provenance line, if its extension is .vtu, .msh, .obj or .inp; others are unchanged,
 /// also without provenance.
 std::string with_provenance(std::string text, const std::string& ending, const Provenance& provenance);
 /// Reads it back from such a text. Empty if there is none.

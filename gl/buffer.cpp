@@ -61,6 +61,7 @@ Buffer::Buffer(std::string label, std::size_t bytes, const void* data, GLenum us
   BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), bytes == size ? data : nullptr, usage);
   if (GetError() != GL_NO_ERROR) {
     DeleteBuffers(1, &id_);
+    require_context();
     throw Error("buffer " + label_, "cannot have " + std::to_string(bytes) + " bytes",
                 "expected room on " + device().renderer);
   }

@@ -287,6 +287,7 @@ class FusedPasses::Dispatch {
       crew_.download(0, sizeof word, &word);
       if (word >> kKernelShift == kNoKernel) return;
     }
+    require_context();
     throw Error("kernel " + together_->program().label() + ": comes to no end");
   }
 

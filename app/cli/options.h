@@ -17,6 +17,7 @@ struct CommonOptions {
   std::vector<std::string> instruments;  // --instrument TEXT (sim/scene/tools/instrument_text.h)
   std::string replay;                    // recorded inputs, with their scene
   std::string context = "auto";          // auto, window, egl, osmesa
+  int device = -1;                       // --device: number of the EGL device; -1: the first GPU
   std::string loads = "auto";            // how kernels read buffers: auto, ssbo, texel
   std::string kernels = "auto";          // of a step: auto (fused on llvmpipe), single
   std::string quality = "auto";  // of pictures: auto (in a window on software renderers draft, else full), full, draft
@@ -56,7 +57,7 @@ struct RenderOptions : CommonOptions {
 struct ViewOptions : CommonOptions {
   int width = 1280, height = 720;
   int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
-  std::string export_path;  // state at the closing of the window: .vtu, .csv, .msh, .obj
+  std::string export_path;  // state at the closing of the window: .vtu, .csv, .msh, .obj, .inp
   std::string stats;        // stats.json
   std::string frame_log;    // times of the frames, CSV
 };

@@ -70,6 +70,12 @@ void add_quality(CLI::App& command, CommonOptions& options) {
 void add_graphics(CLI::App& command, CommonOptions& options) {
   add_choice(command, "--context", options.context, {"auto", "window", "egl", "osmesa"}, "where OpenGL comes from")
       ->capture_default_str();
+  command
+      .add_option("--device", options.device,
+                  "number of the EGL device that computes, of those that fascia info --device lists; without it the "
+                  "first GPU")
+      ->type_name("N")
+      ->check(at_least(0));
   add_choice(command, "--loads", options.loads, {"auto", "ssbo", "texel"},
              "how kernels read buffers; auto: ssbo on GPUs with 14 storage blocks a kernel and more, else texel")
       ->capture_default_str();

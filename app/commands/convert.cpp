@@ -82,8 +82,8 @@ void add_convert(CLI::App& program, Invocation& invocation) {
   command.add_option("in", options->in, "mesh, scene or replay to read")->type_name("FILE")->required();
   command
       .add_option("out", options->out,
-                  "mesh to write: .msh, .vtk, .vtu, .node, .ele or .mesh; with --with-mesh a scene (.json) or a replay "
-                  "(.fascia)")
+                  "mesh to write: .msh, .vtk, .vtu, .node, .ele, .mesh or .inp; with --with-mesh a scene (.json) or a "
+                  "replay (.fascia)")
       ->type_name("FILE")
       ->required();
   CLI::Option* const weld = command.add_flag(

@@ -1,4 +1,4 @@
-// fascia info: the report of the mesh check, for a mesh or for every body of a scene.
+// fascia info: the report of the mesh check, for a mesh or for every body of a scene; or that of the graphics device.
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -7,6 +7,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
+#include "app/commands/info_device.h"
 #include "app/session/file_provenance.h"
 #include "app/session/open_input.h"
 #include "app/session/progress_lines.h"
@@ -26,11 +27,9 @@
 namespace fascia {
 namespace {
 
-struct InfoOptions {
-  std::string input;
-  bool tissues = false;  // the table of presets instead of a mesh
-  std::vector<std::string> sets;
-  std::string unit, up;
+struct InfoOptions : CommonOptions {
+  bool tissues = false;       // the table of presets instead of a mesh
+  bool tests_device = false;  // the device instead of a mesh
 };
 
 // Prints the dispatches of a Gauss-Seidel sweep and their balance.
@@ -92,6 +91,7 @@ std::string unit_of(const Scene& scene, const Body& body, const ShapeFile& shape
 
 int inspect(const InfoOptions& options) {
   const EndAtOnce reading;  // no file is being written
+  if (options.tests_device) return inspect_device(options);
   if (options.tissues) {
     print_tissues(std::cout);
     return exit_done;
@@ -101,7 +101,7 @@ int inspect(const InfoOptions& options) {
     for (const auto& [keyword, text] : *provenance)
       std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
     const std::string ending = lower_ending(options.input);
-    if (ending != ".vtu" && ending != ".msh") return exit_done;  // such files may be meshes
+    if (ending != ".vtu" && ending != ".msh" && ending != ".inp") return exit_done;  // such files may be meshes
   }
   Scene scene = blaming_options([&] {
     std::vector<std::string> sets = options.sets;
@@ -153,7 +153,9 @@ int inspect(const InfoOptions& options) {
 void add_info(CLI::App& program, Invocation& invocation) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App& command = *program.add_subcommand(
-      "info", "mesh check: sizes, materials, defects; or the provenance of a file that fascia wrote");
+      "info",
+      "mesh check: sizes, materials, defects; the provenance of a file that fascia wrote; or a test of the graphics "
+      "device");
   CLI::Option* scene = command
                            .add_option("scene", options->input,
                                        "scene (.json) or tetrahedral mesh; or a picture, video, replay or export; - is "
@@ -161,12 +163,42 @@ void add_info(CLI::App& program, Invocation& invocation) {
                            ->type_name(std::string("FILE") + kOrDash);
   command.add_flag("--tissues", options->tissues, "list the tissue presets with their sources, instead")
       ->excludes(scene);
+  CLI::Option* device =
+      command
+          .add_option_function<std::string>(
+              "--device",
+              [options](const std::string& number) {
+                options->tests_device = true;
+                if (number.empty() || number == "true") return;  // as it is without a number
+                if (number.find_first_not_of("0123456789") != std::string::npos || number.size() > 3)
+                  throw CLI::ValidationError("--device", number + " is not the number of an EGL device");
+                options->device = std::stoi(number);
+              },
+              "report what the graphics device is, why it was taken, and whether its kernels compute what they should; "
+              "N: that EGL device")
+          ->type_name("[N]")
+          ->expected(0, 1)
+          ->trigger_on_parse()
+          ->excludes(scene);
+  add_choice(command, "--context", options->context, {"auto", "egl", "osmesa"}, "where --device takes OpenGL from")
+      ->capture_default_str()
+      ->needs(device);
+  add_choice(command, "--loads", options->loads, {"auto", "ssbo", "texel"},
+             "how tested kernels read buffers; auto: in every way that the device permits")
+      ->capture_default_str()
+      ->needs(device);
+  command.add_option("--data-dir", options->data_dir, "folder that holds shaders/ and assets/")
+      ->type_name("DIR")
+      ->needs(device);
   command.add_option("--set", options->sets, "override a scene value")->type_name("KEY=VALUE")->allow_extra_args(false);
   add_mesh_frame(command, options->unit, options->up);
   add_examples(command,
-               {"fascia info liver.msh", "fascia info beam.json --set solver.colors=5", "fascia info --tissues"});
+               {"fascia info liver.msh", "fascia info beam.json --set solver.colors=5", "fascia info --tissues",
+                "fascia info --device"},
+               "the work failed, or a kernel computes something else than it should");
   command.callback([&invocation, options] {
-    if (options->input.empty() && !options->tissues) throw CLI::RequiredError("scene, or --tissues,");
+    if (options->input.empty() && !options->tissues && !options->tests_device)
+      throw CLI::RequiredError("scene, --tissues or --device,");
     invocation.run = [options] { return inspect(*options); };
   });
 }

@@ -29,7 +29,7 @@ namespace fascia {
 namespace {
 
 struct RunOptions : CommonOptions {
-  std::string export_path;  // .vtu, .csv, .msh, .obj
+  std::string export_path;  // .vtu, .csv, .msh, .obj, .inp
   long every = 0;           // 0: only at the end
   std::string history;      // a CSV row every history_every-th step
   long history_every = 1;
@@ -47,7 +47,7 @@ double milliseconds_since(Clock::time_point start) {
 
 void require_finite(const State& state, const Scene& scene) {
   for (std::size_t i = 0; i < state.displacement.size(); ++i)
-    if (!state.displacement[i].allFinite())
+    if (!state.displacement[i].allFinite() || !state.velocity[i].allFinite())
       throw Error(scene.file.string(),
                   "vertex " + std::to_string(i) + " is not finite at " + std::to_string(state.time) + " s",
                   "expected finite positions: more substeps, softer material or a smaller load may help");
@@ -166,7 +166,7 @@ int run_input(const RunOptions& options) {
   const auto export_frame = [&] {
     const State state = simulation.state();
     require_finite(state, simulation.scene);
-    series->write(state.time, simulation.model.file_mesh, export_fields(simulation, state), made_by());
+    series->write(state.time, simulation.model, export_fields(simulation, state), made_by());
   };
 
   std::optional<HistoryFile> history;
@@ -245,7 +245,7 @@ int run_input(const RunOptions& options) {
                   : overridden          ? "the state differs from the recorded one: other values, grabs or solver\n"
                                         : "the state differs from the recorded one: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, export_fields(simulation, last), stats.provenance);
+    write_state(options.export_path, simulation.model, export_fields(simulation, last), stats.provenance);
   if (inverted > 0 && !options.quiet)
     std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
               << (inverted == 1 ? " is" : " are") << " inside out at the end\n";
@@ -266,7 +266,7 @@ void add_run(CLI::App& program, Invocation& invocation) {
   add_common(command, *options);
   command
       .add_option("--export", options->export_path,
-                  "the state after the last step: .vtu, .csv, .msh or .obj; to standard output as CSV")
+                  "the state after the last step: .vtu, .csv, .msh, .obj or .inp; to standard output as CSV")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--every", options->every, "export the start and every K-th step as numbered files")
       ->type_name("K")

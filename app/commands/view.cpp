@@ -35,8 +35,7 @@ int open_window(const ViewOptions& options) {
   const Simulation& simulation = window.simulation();
   const State last = simulation.state();
   if (!options.export_path.empty())
-    write_state(options.export_path, simulation.model.file_mesh, export_fields(simulation, last),
-                window.stats().provenance);
+    write_state(options.export_path, simulation.model, export_fields(simulation, last), window.stats().provenance);
   if (!options.stats.empty()) write_stats(options.stats, window.stats(), simulation, last);
   window.finish_video();
   return interrupted() ? exit_interrupted : exit_done;
@@ -62,7 +61,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
   add_quality(command, options);
   command
       .add_option("--export", options.export_path,
-                  "the state when the window closes: .vtu, .csv, .msh or .obj; to standard output as CSV")
+                  "the state when the window closes: .vtu, .csv, .msh, .obj or .inp; to standard output as CSV")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--stats", options.stats, "numbers about the run, when the window closes")
       ->type_name(std::string("FILE.json") + kOrDash);

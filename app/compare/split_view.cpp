@@ -110,7 +110,7 @@ void SplitView::share(Session& a) {
 
 void SplitView::restart_from(const Session& a) {
   b_->simulation.go_on_from(a.simulation.state());
-  b_->true_error.forget();
+  b_->forget_errors();
   diagnostics_.reset();
 }
 

@@ -49,7 +49,7 @@ class SplitView {
   void request_diagnostics() { b_->simulation.gpu()->request_diagnostics(); }     // of B's current state
   bool take_diagnostics(bool wait);                                               // whether there were new ones
   const std::optional<Diagnostics>& diagnostics() const { return diagnostics_; }  // the last ones taken
-  bool busy() const { return b_->true_error.busy() || b_->simulation.gpu()->diagnosing(); }  // results are pending
+  bool busy() const { return b_->measuring_error() || b_->simulation.gpu()->diagnosing(); }  // results are pending
 
   struct Area {
     int x = 0, width = 0;  // [pixels] of the picture

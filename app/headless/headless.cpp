@@ -155,10 +155,8 @@ Framebuffer& Headless::draw(double step, double time, const gl::Buffer* position
   if (split_) split_->share(session_);
   const bool tells = options_.panels || split_;
   const std::optional<Diagnostics> diagnostics = tells ? diagnose() : diagnose_grabs();
-  if (session_.display().color == ColorBy::error) {
-    session_.measure_error();
-    if (split_) split_->b().measure_error();
-  }
+  session_.measure_error();
+  if (split_) split_->b().measure_error();
   session_.settle_range(split_ ? &split_->b() : nullptr);
   session_.settle_ground(split_ ? &split_->b() : nullptr);
   if (split_) return draw_split(diagnostics);

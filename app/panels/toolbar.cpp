@@ -21,7 +21,7 @@ void toolbar(const PanelContext& context) {
   files.gap();
   requests.save_dialog |= files.add(Icon::save, "Save (Ctrl+S)", "This scene with the values of the sliders, as JSON");
   requests.export_dialog |=
-      files.add(Icon::export_state, "Export (Ctrl+E)", "The current state: .vtu, .csv, .msh or .obj");
+      files.add(Icon::export_state, "Export (Ctrl+E)", "The current state: .vtu, .csv, .msh, .obj or .inp");
   files.gap();
   if (files.add(Icon::undo, "Undo (Ctrl+Z)", history.can_undo() ? history.undone_next().text : "Nothing to undo", false,
                 history.can_undo()))

@@ -95,7 +95,7 @@ std::optional<Provenance> provenance_of_file(const fs::path& path) {
     std::error_code ec;
     read_file(path);
     if (fs::exists(provenance_beside(path), ec)) provenance = of_json(read_file(provenance_beside(path)));
-  } else if (ending == ".vtu" || ending == ".msh" || ending == ".obj") {
+  } else if (ending == ".vtu" || ending == ".msh" || ending == ".obj" || ending == ".inp") {
     provenance = find_provenance(read_file(path));
   }
   if (provenance.empty()) return std::nullopt;

@@ -29,6 +29,7 @@ Graphics open_graphics(const CommonOptions& options, bool for_view, int width, i
   const SoftwareThreads threads(workload);
   ContextRequest request;
   request.name = options.context;
+  request.device = options.device;
   request.for_view = for_view;
   request.width = width;
   request.height = height;
@@ -52,6 +53,8 @@ std::string describe(const Graphics& graphics) {
 void announce(const CommonOptions& options, const Graphics& graphics, const std::vector<std::string>& notes) {
   if (options.quiet) return;
   if (graphics.context) std::cerr << "fascia: " << describe(graphics) << '\n';
+  if (graphics.context && !graphics.context->passed_over.empty())
+    std::cerr << "fascia: no GPU is used: " << graphics.context->passed_over << '\n';
   for (const std::string& note : notes) std::cerr << "fascia: " << note << '\n';
 }
 

@@ -177,20 +177,35 @@ void Session::set_display(const DisplaySettings& display) {
     renderer_->set_regions(needs_regions() ? regions_->of_triangle : std::vector<std::uint32_t>());
   if (display.section || display.tets)
     renderer_->set_tets({regions_->tets, regions_->of_tet, closed_around_tets(simulation.model)});
-  if (display.color == ColorBy::error && true_error.result()) show_error();
+  show_error();
 }
 
 void Session::follow_error() {
   const bool shown = display().color == ColorBy::error;
   if (true_error.update(simulation, shown || follow_true_error) && shown) show_error();
+  if (display().color == ColorBy::mesh_error && mesh_error.update(simulation)) show_error();
 }
 
 void Session::measure_error() {
-  true_error.measure(simulation);
+  if (display().color == ColorBy::error) true_error.measure(simulation);
+  if (display().color == ColorBy::mesh_error) mesh_error.measure(simulation);
   show_error();
 }
 
-void Session::show_error() { simulation.gpu()->set_vertex_errors(true_error.result()->distance); }
+void Session::forget_errors() {
+  true_error.forget();
+  mesh_error.forget();
+}
+
+// One buffer has the values of either heat map; none are known before the first measurement.
+void Session::show_error() {
+  const bool of_mesh = display().color == ColorBy::mesh_error;
+  if (!of_mesh && display().color != ColorBy::error) return;
+  std::vector<float> values(simulation.model.rest_positions.size(), 0);
+  if (of_mesh && !mesh_error.values().empty()) values = mesh_error.values();
+  if (!of_mesh && true_error.result()) values = true_error.result()->distance;
+  simulation.gpu()->set_vertex_errors(values);
+}
 
 std::optional<ShownValues> Session::measure_shown(bool now) {
   GpuSolver& solver = *simulation.gpu();

@@ -12,6 +12,7 @@
 #include "render/view/camera.h"
 #include "sim/gpu/readback/lowest_point.h"
 #include "sim/grab/build_model.h"
+#include "sim/simulation/mesh_error_map.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/true_error.h"
 #include "sim/visual/shape_mesh.h"
@@ -31,6 +32,7 @@ class Session {
   Simulation simulation;
   TrueError true_error;
   bool follow_true_error = false;  // measurements in immediate succession
+  MeshErrorMap mesh_error;
   Camera camera;
   Eigen::Vector2d extent{
       -1, 1};  // Camera::extent of the body when it was framed: at rest by the first camera, or by frame_bodies()
@@ -66,9 +68,12 @@ class Session {
   /// The same with settle_ground(), for a window whose tissue has come to rest: the ground that sank below a body
   /// returns with it.
   void lift_ground(Session* beside = nullptr);
-  /// Call once per frame, after its steps: updates the comparison with the exact step, if requested, and its heat map.
+  /// Call once per frame, after its steps: updates the comparison with the exact step, if requested, and the heat maps
+  /// of errors.
   void follow_error();
-  void measure_error();  // at once, for a single picture
+  void measure_error();  // the shown one at once, for a single picture; without the heat map of an error nothing
+  bool measuring_error() const { return true_error.busy() || mesh_error.busy(); }
+  void forget_errors();  // the state has jumped
   const VisualRegions* regions() const {
     return display().color == ColorBy::region ? &*regions_ : nullptr;
   }  // null if they are not shown

@@ -23,7 +23,7 @@ void Recovery::go_back(std::uint32_t lost) {
   divergences_ = simulation.steps_made() - diverged_at_ > kForgiven ? 1 : divergences_ + 1;
   diverged_at_ = simulation.steps_made();
   sides_.let_go();
-  stage_.session->true_error.forget();
+  stage_.session->forget_errors();
   stage_.diagnose = true;
   if (divergences_ < kMostTimes) {
     simulation.back_to_valid();
@@ -42,7 +42,8 @@ void Recovery::go_back(std::uint32_t lost) {
   const Divergence divergence = find_divergence(simulation, lost);
   const std::string text =
       divergence.text(simulation.model) + ". Paused at the last valid state; R goes back to the start. ";
-  stage_.messages.say(text + "More iterations or substeps, or softer tissue, may help", true);
+  stage_.messages.say(
+      text + "More iterations or substeps, or softer tissue, may help; fascia info --device tests the GPU", true);
   stage_.messages.say(text + keep_replay(divergence.replay).string() + " repeats it", true);
 }
 

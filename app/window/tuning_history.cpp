@@ -139,7 +139,7 @@ void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {
 // The number of materials may have changed.
 void TuningHistory::materials_changed() {
   Session& session = sides_.tuned();
-  session.true_error.forget();
+  session.forget_errors();
   kernels_.session_began(session.simulation);
   model_changed();
   // With other regions the open session has another scene, so a new recording begins.

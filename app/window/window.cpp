@@ -129,7 +129,7 @@ void Window::finish(double wall_s) {
 double Window::idle_time() const {
   if (glfwGetWindowAttrib(graphics_.context->window(), GLFW_ICONIFIED)) return kLongestWait;
   const SplitView* split = sides_.split();
-  const bool under_way = capture_.video().running() || stage_.session->true_error.busy() || (split && split->busy()) ||
+  const bool under_way = capture_.video().running() || stage_.session->measuring_error() || (split && split->busy()) ||
                          stage_.simulation().gpu()->diagnosing();
   if (!stepping_.still() || under_way || ImGui::IsAnyItemActive()) return 0;
   return std::clamp(stage_.messages.seconds_left(), 0.0, kLongestWait);
@@ -353,7 +353,7 @@ void Window::add_instrument(InstrumentPreset preset) {
 void Window::reset() {
   sides_.let_go();
   recording_.reset_around([&] { sides_.reset(); });
-  stage_.session->true_error.forget();
+  stage_.session->forget_errors();
   stage_.session->forget_ground();
   stage_.state.statistics.steps = 0;
   stage_.pacing.restart();

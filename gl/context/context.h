@@ -4,6 +4,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -18,6 +19,9 @@ class Context {
   virtual bool is_current() const = 0;   // on the calling thread, regardless of the gl:: functions
   virtual std::string name() const = 0;  // "window", "egl", "osmesa"
   virtual GLFWwindow* window() const { return nullptr; }
+
+  /// Why auto took none of the GPUs that the system shows; empty if it shows none, or one was taken.
+  std::string passed_over{};
 };
 
 struct ContextRequest {
@@ -26,6 +30,7 @@ struct ContextRequest {
   int width = 1280, height = 720;
   std::string title = "fascia";
   bool debug = false;  // KHR_debug output, synchronous
+  int device = -1;     // number of the EGL device, with which auto means egl; -1: the first GPU
 };
 
 /// auto, egl or osmesa. The context is current and loaded (gl::load). Throws Error with the attempts and the reason of
@@ -36,5 +41,16 @@ std::unique_ptr<Context> make_headless_context(const ContextRequest& request);
 std::unique_ptr<Context> make_osmesa_context(const ContextRequest& request);
 enum class EglDevices { hardware_only, any };  // first the device platform, then surfaceless
 std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevices devices);
+
+/// What EGL offers: its devices in their order, and then Mesa's surfaceless platform.
+struct EglDevice {
+  std::string name;      // "device 0", "surfaceless"
+  std::string file;      // "/dev/dri/card0", where known
+  std::string renderer;  // with its version; empty where there is no context
+  bool software = false;
+  std::string refusal;  // why there is no context
+};
+/// Makes a context on each for a moment, after which none is current. Throws Error without EGL.
+std::vector<EglDevice> egl_devices();
 
 }  // namespace fascia

@@ -27,7 +27,8 @@ struct EglLibrary {
   FASCIA_EGL_FUNCTIONS(X)
 #undef X
   decltype(&::eglGetPlatformDisplayEXT) get_platform_display;
-  decltype(&::eglQueryDevicesEXT) query_devices;  // null without EGL_EXT_device_enumeration
+  decltype(&::eglQueryDevicesEXT) query_devices;             // null without EGL_EXT_device_enumeration
+  decltype(&::eglQueryDeviceStringEXT) query_device_string;  // null without EGL_EXT_device_query
 };
 
 bool has_word(const char* list, const std::string& word) {
@@ -54,6 +55,9 @@ const EglLibrary& egl() {
     const char* client = lib.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (has_word(client, "EGL_EXT_device_base") || has_word(client, "EGL_EXT_device_enumeration"))
       lib.query_devices = reinterpret_cast<decltype(&::eglQueryDevicesEXT)>(lib.get_proc("eglQueryDevicesEXT"));
+    if (has_word(client, "EGL_EXT_device_base") || has_word(client, "EGL_EXT_device_query"))
+      lib.query_device_string =
+          reinterpret_cast<decltype(&::eglQueryDeviceStringEXT)>(lib.get_proc("eglQueryDeviceStringEXT"));
     return lib;
   }();
   return opened;
@@ -65,6 +69,15 @@ struct Candidate {
   EGLenum platform;
   void* native;
 };
+
+/// The file of the graphics card, if EGL knows it.
+std::string file_of(const Candidate& candidate) {
+  if (candidate.platform != EGL_PLATFORM_DEVICE_EXT || !egl().query_device_string) return "";
+  const auto device = static_cast<EGLDeviceEXT>(candidate.native);
+  if (!has_word(egl().query_device_string(device, EGL_EXTENSIONS), "EGL_EXT_device_drm")) return "";
+  const char* file = egl().query_device_string(device, EGL_DRM_DEVICE_FILE_EXT);
+  return file ? file : "";
+}
 
 std::vector<Candidate> candidates() {
   std::vector<Candidate> found;
@@ -157,7 +170,36 @@ class EglContext : public Context {
 
 }  // namespace
 
+std::vector<EglDevice> egl_devices() {
+  std::vector<EglDevice> found;
+  for (const Candidate& candidate : candidates()) {
+    EglDevice& device = found.emplace_back(EglDevice{candidate.name, file_of(candidate), "", false, ""});
+    try {
+      EglContext context(candidate);
+      context.create(false);
+      context.make_current();
+      device.renderer = gl::device().renderer + ", OpenGL " + gl::device().version;
+      device.software = gl::device().software;
+    } catch (const Error& error) {
+      device.refusal = error.what();
+    }
+  }
+  return found;
+}
+
 std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevices devices) {
+  if (request.device >= 0) {
+    const std::string wanted = "device " + std::to_string(request.device);
+    for (const Candidate& candidate : candidates()) {
+      if (candidate.name != wanted) continue;
+      auto context = std::make_unique<EglContext>(candidate);
+      context->create(request.debug);
+      context->make_current();
+      return context;
+    }
+    throw Error("--device " + std::to_string(request.device), "EGL has no device of this number",
+                "expected one that fascia info --device lists");
+  }
   std::string tried;
   std::unique_ptr<Context> on_software;  // the first one, used if there is no GPU
   for (const Candidate& candidate : candidates()) {

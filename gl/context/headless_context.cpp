@@ -25,24 +25,36 @@ bool may_have_gpu() {
 }  // namespace
 
 std::unique_ptr<Context> make_headless_context(const ContextRequest& request) {
-  if (request.name == "osmesa") return make_osmesa_context(request);
-  if (request.name == "egl") return make_egl_context(request, EglDevices::any);
+  const bool with_device = request.device >= 0;
+  if (request.name == "osmesa" && !with_device) return make_osmesa_context(request);
+  if (request.name == "egl" || (request.name == "auto" && with_device))
+    return make_egl_context(request, EglDevices::any);
+  if (request.name == "osmesa")
+    throw Error("--device " + std::to_string(request.device), "OSMesa has no devices",
+                "expected --context egl or auto");
   if (request.name != "auto") throw Error("context " + request.name, "unknown", "expected auto, egl or osmesa");
 
-  std::string tried;
+  std::string tried, passed_over;
   using Make = std::function<std::unique_ptr<Context>()>;
   const std::pair<const char*, Make> kinds[] = {
       {"EGL on a GPU",
        [&] {
          if (!may_have_gpu()) throw Error("egl", "no device of a GPU in /dev", "expected a hardware renderer");
-         return make_egl_context(request, EglDevices::hardware_only);
+         try {
+           return make_egl_context(request, EglDevices::hardware_only);
+         } catch (const Error& error) {
+           passed_over = error.what();
+           throw;
+         }
        }},
       {"OSMesa", [&] { return make_osmesa_context(request); }},
       {"EGL on software", [&] { return make_egl_context(request, EglDevices::any); }},
   };
   for (const auto& [name, make] : kinds) {
     try {
-      return make();
+      std::unique_ptr<Context> context = make();
+      context->passed_over = passed_over;
+      return context;
     } catch (const Error& error) {
       tried += (tried.empty() ? "" : ", ") + std::string(name) + " (" + error.what() + ")";
     }

@@ -136,8 +136,8 @@ FASCIA_INLINE namespace api {
     /// Continues from a state of this scene. The values at fixed and moved vertices apply as well. Throws Error, and
     /// changes nothing, for arrays of wrong size, numbers that are not finite and a negative time.
     void restore(const State& state);
-    /// Writes the state to a file. The file's ending decides the format: .vtu, .msh, .csv or .obj (the surface). Throws
-    /// Error for another ending and for a file that cannot be written.
+    /// Writes the state to a file. The file's ending decides the format: .vtu, .msh, .csv, .obj (the surface) or .inp.
+    /// Throws Error for another ending and for a file that cannot be written.
     void write(const std::string& path) const;
     /// Returns the name of an OpenGL buffer with the current positions in float: at least [vertex_count] vec4 of x, y,
     /// z [m] and an unused w. A program draws it in the same context without a copy. The name is valid as long as the

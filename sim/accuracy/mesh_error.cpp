@@ -62,14 +62,17 @@ double percentile_99(std::vector<Share> shares) {
 
 }  // namespace
 
-MeshError estimate_mesh_error(const Model& model, const State& state) {
-  const RecoveredStress recovered(model, state);
+MeshError estimate_mesh_error(const Model& model, const State& state, const std::stop_token& stop) {
+  MeshError result;
+  result.tets.assign(model.tets.size(), 0);
+  const RecoveredStress recovered(model, state, stop);
   std::vector<Eigen::Vector4d> points;
   for (const VolumePoint& point : volume_points()) points.push_back(point.barycentric);
   std::vector<double> squares;  // [tet_count] mean [J/m^3]
   std::vector<Share> own, better;
   double work = 0, whole = 0, all = 0;
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    if (stop.stop_requested()) return result;
     const Material& material = model.materials[model.tet_material[t]];
     const double volume = volume_of(model, t);
     const std::vector<PointStress> stresses = stresses_of(model, state, t, points);
@@ -86,8 +89,6 @@ MeshError estimate_mesh_error(const Model& model, const State& state) {
       better.push_back({von_mises_of(stresses[p], star), weight});
     }
   }
-  MeshError result;
-  result.tets.assign(model.tets.size(), 0);
   if (!(whole > 0)) return result;
   result.displacement = std::abs(work) / whole;
   std::transform(squares.begin(), squares.end(), result.tets.begin(),
@@ -95,6 +96,23 @@ MeshError estimate_mesh_error(const Model& model, const State& state) {
   result.peak = percentile_99(std::move(better));
   if (result.peak > 0) result.peak_stress = std::abs(1 - percentile_99(std::move(own)) / result.peak);
   return result;
+}
+
+std::vector<float> at_vertices(const Model& model, const MeshError& error) {
+  const std::size_t count = model.rest_positions.size();
+  std::vector<double> sum(count, 0), around(count, 0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const double volume = volume_of(model, t);
+    const ElementVertices element = model.element(t);
+    for (const std::uint32_t v : element) {
+      sum[v] += volume * static_cast<double>(error.tets[t]);
+      around[v] += volume;
+    }
+  }
+  std::vector<float> mean(count, 0);
+  for (std::size_t v = 0; v < count; ++v)
+    if (around[v] > 0) mean[v] = static_cast<float>(sum[v] / around[v]);
+  return mean;
 }
 
 }  // namespace fascia

@@ -15,6 +15,7 @@
 // rest. The estimate of a moving body is that of the shape that its current forces would hold: it has nothing of the
 // error in the frequencies that has added up.
 #pragma once
+#include <stop_token>
 #include <vector>
 
 #include "sim/model/model.h"
@@ -30,7 +31,10 @@ struct MeshError {
   std::vector<float> tets{};
 };
 
-/// Zeros at rest.
-MeshError estimate_mesh_error(const Model& model, const State& state);
+/// Zeros at rest, and once `stop` is requested.
+MeshError estimate_mesh_error(const Model& model, const State& state, const std::stop_token& stop = {});
+
+/// [vertex_count] the means of MeshError::tets around each vertex, weighted by volume.
+std::vector<float> at_vertices(const Model& model, const MeshError& error);
 
 }  // namespace fascia

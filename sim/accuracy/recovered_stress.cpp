@@ -156,9 +156,10 @@ RecoveredStress::Patch RecoveredStress::fit(const std::vector<Sample>& samples, 
   return patch;
 }
 
-RecoveredStress::RecoveredStress(const Model& model, const State& state) : model_(model) {
+RecoveredStress::RecoveredStress(const Model& model, const State& state, const std::stop_token& stop) : model_(model) {
   std::vector<std::vector<Sample>> samples(model.tets.size());
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    if (stop.stop_requested()) return;
     const std::vector<Vector4d> points = sample_points(model.is_quadratic(t));
     const std::vector<PointStress> stresses = stresses_of(model, state, t, points);
     const double weight = volume_of(model, t) / static_cast<double>(points.size());
@@ -179,6 +180,7 @@ RecoveredStress::RecoveredStress(const Model& model, const State& state) : model
     }
   patches_.reserve(tets_of.size());
   for (const std::vector<std::uint32_t>& around : tets_of) {
+    if (stop.stop_requested()) return;
     const bool quadratic = std::all_of(around.begin(), around.end(), [&](auto t) { return model.is_quadratic(t); });
     const int terms = quadratic ? 10 : 4;
     std::vector<std::uint32_t> tets = around;

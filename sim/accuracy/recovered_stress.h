@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "sim/model/model.h"
@@ -21,8 +22,8 @@ namespace fascia {
 
 class RecoveredStress {
  public:
-  /// Keeps a reference to the model, which must not change.
-  RecoveredStress(const Model& model, const State& state);
+  /// Keeps a reference to the model, which must not change. Incomplete once `stop` is requested.
+  RecoveredStress(const Model& model, const State& state, const std::stop_token& stop = {});
 
   /// T* [Pa] in a tet at barycentric coordinates: xx, yy, zz, yz, xz, xy.
   reference::Vector6d at(std::size_t tet, const Eigen::Vector4d& barycentric) const;

@@ -59,7 +59,7 @@ class GpuSolver {
   std::vector<Eigen::Vector3d> contact_forces() const { return contact_.forces_at_vertices(); }
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
-  /// The values of the heat map of ColorBy::error: float [vertex_count] [m]. Zero at first.
+  /// The values of the heat maps of ColorBy::error [m] and mesh_error: float [vertex_count]. Zero at first.
   void set_vertex_errors(const std::vector<float>& errors);
 
   /// Updates positions() to the state, once per state.

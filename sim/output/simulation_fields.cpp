@@ -38,10 +38,10 @@ ToolSurface surface_of(const Tool& tool, const ToolPlace& place, const Model& mo
 StateFields export_fields(const Simulation& simulation, const State& state) {
   const Model& model = simulation.model;
   StateFields fields = reference::export_fields(model, state);
-  if (model.tools.empty()) return fields;
-  const std::vector<ToolPlace> places = places_at(model.tools, state.time);
+  if (!model.has_contact()) return fields;
+  const std::vector<ToolPlace> places = simulation.tool_places();
   fields.contact_force = simulation.contact_forces();
-  fields.contact_gap = contact_gaps(model, state, places);
+  if (!model.tools.empty()) fields.contact_gap = contact_gaps(model, state, places);
   for (std::size_t t = 0; t < model.tools.size(); ++t)
     fields.tools.push_back(surface_of(model.tools[t], places[t], model, state));
   return fields;

@@ -12,6 +12,7 @@
 #include "sim/mesh/mesh_check.h"
 #include "sim/mesh/mid_edges.h"
 #include "sim/mesh/tet_faces.h"
+#include "sim/output/abaqus_model.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -142,22 +143,33 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
     write_file(path, with_provenance(msh(path, rest, fields), ending, provenance));
   } else if (ending == ".obj") {
     write_file(path, with_provenance(obj(rest, fields), ending, provenance));
+  } else if (ending == ".inp") {
+    TetMesh mesh = rest;
+    mesh.positions = deformed(rest, fields);
+    write_file(path, with_provenance(abaqus_text(mesh), ending, provenance));
   } else {
     throw Error(path.string(), "cannot be written: its ending names no export format",
-                "expected .vtu, .csv, .msh or .obj");
+                "expected .vtu, .csv, .msh, .obj or .inp");
   }
   if (fields.tools.empty() || (ending != ".vtu" && ending != ".obj")) return;
   write_file(path.parent_path() / (path.stem().string() + "_tools.obj"),
              with_provenance(tools_obj(fields.tools), ".obj", provenance));
 }
 
-void StateSeries::write(double time_s, const TetMesh& rest, const StateFields& fields, const Provenance& provenance) {
+void write_state(const fs::path& path, const Model& model, const StateFields& fields, const Provenance& provenance) {
+  if (const std::string ending = lower_ending(path); ending == ".inp")
+    write_file(path, with_provenance(abaqus_model_text(model, fields.displacement), ending, provenance));
+  else
+    write_state(path, model.file_mesh, fields, provenance);
+}
+
+void StateSeries::add(double time_s, const Provenance& provenance, const WriteFrame& write_frame) {
   char number[16];
   std::snprintf(number, sizeof number, "_%06zu", written_.size());
   const fs::path frame = path_.parent_path() / (path_.stem().string() + number + path_.extension().string());
   // A series of .csv files has one provenance file, beside the given name and without a time.
   const bool csv_series = lower_ending(path_) == ".csv";
-  write_state(frame, rest, fields, csv_series ? Provenance{} : provenance);
+  write_frame(frame, csv_series ? Provenance{} : provenance);
   if (csv_series && written_.empty() && !provenance.empty())
     write_file(provenance_beside(path_), "{\"provenance\":" + provenance_json(without_moment(provenance)) + "}\n");
   written_.emplace_back(time_s, frame.filename().string());

@@ -94,8 +94,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   if (stop_state) copy(*stop_state);
   if (contact.loads()) copy(contact.loads());
   p.pairs = contact.pairs();
-  if (!p.pairs.empty())
-    copy_part(contact.forces(), contact.forces_of_pairs(), p.pairs.size() * sizeof(shared::vec4));
+  if (!p.pairs.empty()) copy_part(contact.forces(), contact.forces_of_pairs(), p.pairs.size() * sizeof(shared::vec4));
   p.owners = grab.owners();
   p.has_probe = probe_.has_value();
   p.substep = substep;

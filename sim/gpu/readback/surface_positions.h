@@ -18,7 +18,7 @@ class SurfacePositions {
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features, ColorBy color,
               ContactTerm& contact);
   void run() const;
-  void set_vertex_errors(const std::vector<float>& errors);    // [vertex_count], displayed with ColorBy::error
+  void set_vertex_errors(const std::vector<float>& errors);    // [vertex_count], of ColorBy::error and mesh_error
   ShownRange* range() { return range_ ? &*range_ : nullptr; }  // of the scalars; null without a heat map
   const gl::Buffer& positions() const { return positions_; }   // vec4 [vertex_count + embedded]
 

@@ -50,6 +50,7 @@ std::string gmsh22_text(const std::string& where, const TetMesh& mesh);
 std::string vtk_legacy_text(const TetMesh& mesh);
 std::string vtu_text(const TetMesh& mesh);
 std::string medit_text(const TetMesh& mesh);
+std::string abaqus_text(const TetMesh& mesh);
 std::string tetgen_node_text(const TetMesh& mesh);
 std::string tetgen_ele_text(const TetMesh& mesh);
 

@@ -19,7 +19,7 @@ const std::vector<MeshFormat>& mesh_formats() {
                                                   {"VTK", {".vtk", ".vtu"}, both, true},
                                                   {"TetGen", {".node", ".ele"}, tets, true},
                                                   {"Medit", {".mesh"}, both, true},
-                                                  {"Abaqus", {".inp"}, both, false},
+                                                  {"Abaqus", {".inp"}, both, true},
                                                   {"FEBio", {".feb"}, both, false},
                                                   {"Vega", {".veg"}, tets, false},
                                                   {"Wavefront", {".obj"}, surfaces, false},

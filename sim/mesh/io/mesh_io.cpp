@@ -115,13 +115,15 @@ void write_mesh(const fs::path& path, const TetMesh& mesh) {
     write_file(path, vtu_text(mesh));
   } else if (ending == ".mesh") {
     write_file(path, medit_text(mesh));
+  } else if (ending == ".inp") {
+    write_file(path, abaqus_text(mesh));
   } else if (ending == ".node" || ending == ".ele") {
     fs::path other = path;
     write_file(other.replace_extension(".node"), tetgen_node_text(mesh));
     write_file(other.replace_extension(".ele"), tetgen_ele_text(mesh));
   } else {
     throw Error(path.string(), "cannot be written: its ending names no mesh format",
-                "expected .msh, .vtk, .vtu, .node, .ele or .mesh");
+                "expected .msh, .vtk, .vtu, .node, .ele, .mesh or .inp");
   }
 }
 

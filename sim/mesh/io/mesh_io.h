@@ -5,7 +5,7 @@
 //        binary, up to the 5.x OFFSETS/CONNECTIVITY layout · .vtu and .vtp ASCII, base64, appended (raw or base64),
 //        plain or zlib · TetGen .node/.ele (either file may be named) · Medit .mesh ASCII · Abaqus .inp · FEBio .feb ·
 //        Vega .veg · STL and PLY, ASCII and binary · OFF ASCII.
-// Write: .msh (Gmsh 4.1 ASCII) · .vtk · .vtu · .node/.ele · .mesh, by the extension.
+// Write: .msh (Gmsh 4.1 ASCII) · .vtk · .vtu · .node/.ele · .mesh · .inp, by the extension.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -38,8 +38,8 @@ std::vector<Enumeration> all_of(const Table& table) {
   return all;
 }
 
-const std::array<Quantity, 11>& quantities() {
-  static const std::array<Quantity, 11> table{
+const std::array<Quantity, 12>& quantities() {
+  static const std::array<Quantity, 12> table{
       {{"none", "None", "", "The tissue's own color. Costs nothing"},
        {"region", "Region", "",
         "Regions of the mesh, in colors that color-blind people tell apart. Costs nothing in a step"},
@@ -59,7 +59,10 @@ const std::array<Quantity, 11>& quantities() {
        {"error", "distance to the exact step", "m",
         "Distance of the last substep to the exact one [m], solved on another thread"},
        {"contact_pressure", "Contact pressure", "Pa",
-        "Of ground, obstacles and instruments on the tissue, over its area at rest [Pa]. Costs next to nothing"}}};
+        "Of ground, obstacles, instruments and other tissue, over the area at rest [Pa]. Costs next to nothing"},
+       {"mesh_error", "estimated error of the mesh", "",
+        "Error of the stresses in the energy norm over the body's mean [-]: where a finer mesh helps. Estimated on "
+        "another thread"}}};
   return table;
 }
 

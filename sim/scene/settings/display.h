@@ -9,7 +9,8 @@
 namespace fascia {
 
 /// The quantity that colors the tissue. Stresses are principal stresses of the Cauchy stress; error: the distance from
-/// the exact step; contact_pressure: normal forces of tools over the area at rest.
+/// the exact step; contact_pressure: normal forces of contact over the area at rest; mesh_error: the estimated error of
+/// the mesh.
 enum class ColorBy {
   none,
   region,
@@ -21,7 +22,8 @@ enum class ColorBy {
   largest_stress,
   smallest_stress,
   error,
-  contact_pressure
+  contact_pressure,
+  mesh_error
 };
 
 struct Quantity {

@@ -40,8 +40,8 @@ TEST_CASE("an unsupported extension for an option is refused before anything is 
   const struct {
     Words arguments;
     std::string option, expected;
-  } cases[] = {{{"run", "no.json", "--export", "a.jpg"}, "--export a.jpg", ".vtu, .csv, .msh or .obj"},
-               {{"run", "no.json", "--export", "a"}, "--export a", ".vtu, .csv, .msh or .obj"},
+  } cases[] = {{{"run", "no.json", "--export", "a.jpg"}, "--export a.jpg", ".vtu, .csv, .msh, .obj or .inp"},
+               {{"run", "no.json", "--export", "a"}, "--export a", ".vtu, .csv, .msh, .obj or .inp"},
                {{"run", "no.json", "--history", "a.png"}, "--history a.png", "expected .csv"},
                {{"run", "no.json", "--stats", "a.MP4"}, "--stats a.MP4", "expected .json"},
                {{"run", "no.json", "--stats", "a.csv"}, "--stats a.csv", "expected .json"},
@@ -55,10 +55,10 @@ TEST_CASE("an unsupported extension for an option is refused before anything is 
                {{"render", "no.json", "--video", "%05d.jpg"}, "--video %05d.jpg", "frames/%05d.png"},
                {{"render", "no.json", "--state", "a.vtu", "--update"}, "--state a.vtu", "expected .csv"},
                {{"render", "no.json", "--compare", "a.mp4", "--update"}, "--compare a.mp4", "expected .png"},
-               {{"view", "no.json", "--export", "a.jpg"}, "--export a.jpg", ".vtu, .csv, .msh or .obj"},
+               {{"view", "no.json", "--export", "a.jpg"}, "--export a.jpg", ".vtu, .csv, .msh, .obj or .inp"},
                {{"view", "no.json", "--stats", "a.png"}, "--stats a.png", "expected .json"},
                {{"check", "no", "--junit", "a.png"}, "--junit a.png", "expected .xml"},
-               {{"convert", "no.msh", "a.jpg"}, "OUT a.jpg", ".msh, .vtk, .vtu, .node, .ele or .mesh"}};
+               {{"convert", "no.msh", "a.jpg"}, "OUT a.jpg", ".msh, .vtk, .vtu, .node, .ele, .mesh or .inp"}};
   for (const auto& [arguments, option, expected] : cases)
     CHECK_THAT(said(arguments, folder.path()), Contains(option + ": ") && Contains(expected) && !Contains("no.json"));
   CHECK(fs::is_empty(folder.path()));

@@ -1,5 +1,6 @@
-// Files under faults: a process killed while it writes, a full disk, read-only folders, two writers of one file, a file
-// larger than memory. FASCIA_KILLS: the number of kills; scripts/kill.sh sets it.
+// Files and devices under faults: a process killed while it writes, a full disk, read-only folders, two writers of one
+// file, a file larger than memory, a graphics card without a driver. FASCIA_KILLS: the number of kills; scripts/kill.sh
+// sets it.
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -248,6 +249,17 @@ TEST_CASE("a full device behind a report or a file is an error", "[faults]") {
                  "No space left on device");
   check_one_line(run_command({"sh", "-c", "\"$1\" info \"$2\" >/dev/full", "sh", FASCIA_BINARY, small_mesh().string()}),
                  "standard output: writing failed");
+}
+
+TEST_CASE("a graphics card that cannot be used is named before the software renderer takes its place", "[faults]") {
+  const TemporaryFolder folder;
+  const auto result = run_in_own_mounts(
+      "mount -t tmpfs none /dev && mkdir /dev/dri && : >/dev/dri/card0 && \"$1\" run \"$3\" --steps 1", folder.path(),
+      small_mesh());
+  if (!result) return;
+  INFO(result->err);
+  CHECK(result->exit_code == 0);
+  CHECK(result->err.find("\nfascia: no GPU is used: egl: no GPU; found ") != std::string::npos);
 }
 
 TEST_CASE("a read-only folder", "[faults]") {

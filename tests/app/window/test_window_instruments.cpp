@@ -1,4 +1,5 @@
-// An instrument in the real window: taken by Tab, pressed into tissue by the mouse, let go of, and recorded.
+// An instrument in the real window: taken by Tab, pressed into tissue by the mouse, let go of; and the same again from
+// the recording.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -38,7 +39,7 @@ std::string scene_text() {
 
 }  // namespace
 
-TEST_CASE("an instrument taken by Tab is pressed into tissue by the mouse, and recorded") {
+TEST_CASE("an instrument taken by Tab is pressed into tissue by the mouse, which the recording repeats to the bit") {
   const TemporaryFolder folder;
   const VirtualDisplay display(1000, kHeight);
   write_file(folder / "cube.json", scene_text());
@@ -78,6 +79,11 @@ TEST_CASE("an instrument taken by Tab is pressed into tissue by the mouse, and r
       ++led;
     }
   CHECK(led > 5);
+  REQUIRE(replay.hash);
+  const CommandResult again =
+      run_command({FASCIA_BINARY, "render", "--replay", session.string(), "--hash", "--quiet", "--context", "egl"});
+  CAPTURE(again.err);
+  CHECK(again.out == "state " + hash_text(*replay.hash) + "\n");
 }
 
 TEST_CASE("the mouse still grabs tissue after the last instrument") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "sim/accuracy/recovered_stress.h"
 #include "tests/sim/reference/box_model.h"
 
 using namespace fascia;
@@ -103,4 +104,32 @@ TEST_CASE("the tets with the largest errors are at the support, and refinement l
   CHECK(largest_at(coarse, at_coarse).x() < 0.2);
   CHECK(largest_at(fine, at_fine).x() < 0.2);
   CHECK(at_fine.displacement < 0.6 * at_coarse.displacement);
+}
+
+TEST_CASE("at a vertex the errors of the tets around it are weighted by their volumes") {
+  const bool ten_nodes = GENERATE(false, true);
+  const Model model = beam(8, 0.3, ten_nodes);
+  const MeshError error = estimate_mesh_error(model, equilibrium(model));
+  const std::vector<float> mean = at_vertices(model, error);
+  REQUIRE(mean.size() == model.rest_positions.size());
+  for (const std::uint32_t v : {0u, 17u, static_cast<std::uint32_t>(mean.size() - 1)}) {
+    double sum = 0, volume = 0;
+    for (std::size_t t = 0; t < model.tets.size(); ++t) {
+      const ElementVertices element = model.element(t);
+      if (std::find(element.begin(), element.end(), v) == element.end()) continue;
+      sum += volume_of(model, t) * static_cast<double>(error.tets[t]);
+      volume += volume_of(model, t);
+    }
+    CAPTURE(ten_nodes, v, sum, volume);
+    CHECK(static_cast<double>(mean[v]) == Approx(sum / volume).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("an estimate that is asked to stop ends with zeros") {
+  const Model model = beam(8, 0.3, false);
+  std::stop_source stop;
+  stop.request_stop();
+  const MeshError error = estimate_mesh_error(model, equilibrium(model), stop.get_token());
+  CHECK(error.displacement == 0);
+  CHECK(error.tets == std::vector<float>(model.tets.size(), 0));
 }

@@ -1,4 +1,4 @@
-// Covers: sim/contact/contact_block.h
+// Covers: contact_block
 #include "sim/contact/pair_energy.h"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Covers: sim/contact/pair_row.h, sim/contact/tissue_surface.h
+// Covers: tissue_surface
 #include "sim/contact/pair_search.h"
 
 #include <catch2/catch.hpp>

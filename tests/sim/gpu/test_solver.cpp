@@ -5,13 +5,14 @@
 #include <thread>
 
 #include "sim/gpu/solver.h"
+#include "sim/reference/double_xpbd.h"
 #include "tests/support/gpu/bars.h"
-#include "tests/support/gpu/double_xpbd.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;
 using namespace fascia::test;
 using Eigen::Vector3d;
+using reference::DoubleXpbd;
 using shared::vec4;
 
 namespace {

@@ -235,7 +235,8 @@ TEST_CASE("exports that cannot be written report the reason", "[export]") {
   const std::string prefix = folder.path().string() + "/";
   CHECK_THROWS_WITH(
       write_state(folder / "state.xyz", sample_mesh(), {}),
-      prefix + "state.xyz: cannot be written: its ending names no export format; expected .vtu, .csv, .msh or .obj");
+      prefix +
+          "state.xyz: cannot be written: its ending names no export format; expected .vtu, .csv, .msh, .obj or .inp");
   CHECK_THROWS_WITH(write_state(folder / "none/state.csv", sample_mesh(), {}),
                     prefix + "none/state.csv: no such folder " + prefix + "none; expected an existing folder");
   StateSeries series(folder / "none/out.vtu");

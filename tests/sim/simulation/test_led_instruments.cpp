@@ -126,6 +126,18 @@ TEST_CASE("a replay that begins while instruments are led has their places", "[c
   check_same(again->state(), simulation->state());
 }
 
+TEST_CASE("steps in contact give the same bits with single kernels and with fused ones", "[contact]") {
+  Bench bench;
+  std::vector<State> states;
+  for (const bool fusing : {true, false}) {
+    bench.graphics.programs->set_fusing(fusing);
+    const auto simulation = bench.open();
+    drive(*simulation, 30);
+    states.push_back(simulation->state());
+  }
+  check_same(states[0], states[1]);
+}
+
 TEST_CASE("a replay that leads what is no instrument is refused", "[contact]") {
   Bench bench;
   const auto simulation = bench.open();

@@ -3,19 +3,21 @@
 // Tolerances: float32 carries 6e-8 relative. The strain of a state with displacement gradients of 0.1 to 0.3 is known
 // to about 1e-7 relative; the 6x6 system's condition number (about 1 / (1 - 2 nu), times the spread of the tet's shape,
 // some tens) amplifies that to a few 1e-6. A whole step has such errors in 20 iterations, which damp them.
-// Covers: exact_xpbd, gauss_seidel, jacobi, methods
+// Covers: exact_xpbd, gauss_seidel, jacobi, methods, sim/reference/double_acceleration, sim/reference/double_xpbd
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/methods/jacobi.h"
 #include "sim/gpu/solver.h"
 #include "sim/ordering/morton_order.h"
-#include "tests/support/gpu/double_xpbd.h"
+#include "sim/reference/double_xpbd.h"
 #include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
 using namespace fascia;
 using namespace fascia::test;
 using Eigen::Vector3d;
+using reference::DoubleXpbd;
+using reference::Vector6d;
 using shared::vec4;
 
 namespace {

@@ -6,15 +6,17 @@
 
 #include "sim/gpu/solver.h"
 #include "sim/ordering/morton_order.h"
+#include "sim/reference/double_xpbd.h"
 #include "sim/reference/elasticity.h"
 #include "tests/support/gpu/bars.h"
-#include "tests/support/gpu/double_xpbd.h"
 #include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/gpu/unpack.h"
 
 using namespace fascia;
 using namespace fascia::test;
 using Eigen::Vector3d;
+using reference::DoubleXpbd;
+using reference::Vector6d;
 using shared::vec4;
 
 TEST_CASE("previous strain is the Green strain of the start of the substep", "[gpu]") {

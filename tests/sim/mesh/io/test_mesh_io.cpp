@@ -97,7 +97,7 @@ TEST_CASE("writing works without regions, and refuses what a format does not sup
   mesh.regions.clear();
   mesh.region_names.clear();
   mesh.groups.clear();
-  for (const std::string name : {"a.msh", "a.vtk", "a.vtu", "a.mesh", "a.node"}) {
+  for (const std::string name : {"a.msh", "a.vtk", "a.vtu", "a.mesh", "a.node", "a.inp"}) {
     INFO(name);
     write_mesh(folder / name, mesh);
     const TetMesh back = read_mesh(folder / name).mesh;
@@ -115,10 +115,9 @@ TEST_CASE("writing works without regions, and refuses what a format does not sup
     return "";
   };
   const std::string prefix = folder.path().string() + "/";
-  CHECK(
-      error_of_writing("a.stl") ==
-      prefix +
-          "a.stl: cannot be written: its ending names no mesh format; expected .msh, .vtk, .vtu, .node, .ele or .mesh");
+  CHECK(error_of_writing("a.stl") == prefix +
+                                         "a.stl: cannot be written: its ending names no mesh format; expected .msh, "
+                                         ".vtk, .vtu, .node, .ele, .mesh or .inp");
   CHECK(error_of_writing("none/a.msh") ==
         prefix + "none/a.msh: no such folder " + prefix + "none; expected an existing folder");
   mesh.regions = {-1, 2};

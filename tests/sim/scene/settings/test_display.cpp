@@ -23,7 +23,7 @@ void check_table(const std::vector<Enumeration>& all, std::size_t count) {
 }  // namespace
 
 TEST_CASE("every value of an enumeration has a unique name and a help, in order") {
-  check_table(all_colors(), static_cast<std::size_t>(ColorBy::contact_pressure) + 1);
+  check_table(all_colors(), static_cast<std::size_t>(ColorBy::mesh_error) + 1);
   check_table(all_color_maps(), static_cast<std::size_t>(ColorMap::grey) + 1);
   check_table(all_backgrounds(), static_cast<std::size_t>(Background::transparent) + 1);
   check_table(all_legend_sides(), static_cast<std::size_t>(LegendSide::off) + 1);
@@ -37,6 +37,7 @@ TEST_CASE("names are those of their values") {
   CHECK(std::string(name_of(ColorBy::smallest_stress)) == "smallest_stress");
   CHECK(std::string(name_of(ColorBy::error)) == "error");
   CHECK(std::string(name_of(ColorBy::contact_pressure)) == "contact_pressure");
+  CHECK(std::string(name_of(ColorBy::mesh_error)) == "mesh_error");
   CHECK(std::string(name_of(ColorMap::dusk)) == "dusk");
   CHECK(std::string(name_of(ColorMap::polar)) == "polar");
   CHECK(std::string(name_of(ColorMap::grey)) == "grey");

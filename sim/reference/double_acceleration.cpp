@@ -1,9 +1,9 @@
-#include "tests/support/gpu/double_acceleration.h"
+#include "sim/reference/double_acceleration.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace fascia::test {
+namespace fascia::reference {
 
 Eigen::VectorXd DoubleAnderson::next(const Eigen::VectorXd& x, const Eigen::VectorXd& g) {
   const Eigen::VectorXd f = g - x;
@@ -86,4 +86,4 @@ Eigen::VectorXd DoubleChebyshev::next(const Eigen::VectorXd& x, const Eigen::Vec
   return result;
 }
 
-}  // namespace fascia::test
+}  // namespace fascia::reference

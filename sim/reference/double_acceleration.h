@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <deque>
 
-namespace fascia::test {
+namespace fascia::reference {
 
 /// x_{k+1} = G(x_k) - dG theta with theta = argmin |f_k - dF theta|, f = G(x) - x (Peng et al. 2018).
 class DoubleAnderson {
@@ -33,4 +33,4 @@ class DoubleChebyshev {
   Eigen::VectorXd before_;
 };
 
-}  // namespace fascia::test
+}  // namespace fascia::reference

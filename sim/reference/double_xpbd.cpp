@@ -1,4 +1,4 @@
-#include "tests/support/gpu/double_xpbd.h"
+#include "sim/reference/double_xpbd.h"
 
 #include <Eigen/Dense>
 
@@ -6,7 +6,7 @@
 #include "sim/ordering/morton_order.h"
 #include "sim/reference/elasticity.h"
 
-namespace fascia::test {
+namespace fascia::reference {
 namespace {
 
 constexpr int row_of[6] = {0, 1, 2, 1, 0, 0}, column_of[6] = {0, 1, 2, 2, 2, 1};  // xx, yy, zz, yz, xz, xy
@@ -16,7 +16,7 @@ struct Shape {
   double volume;
 };
 
-Shape shape_of(const Model& model, std::size_t tet) {
+Shape gradients_of(const Model& model, std::size_t tet) {
   Eigen::Matrix3d dm;
   for (int k = 0; k < 3; ++k)
     dm.col(k) = model.rest_positions[model.tets[tet][k + 1]] - model.rest_positions[model.tets[tet][0]];
@@ -39,7 +39,7 @@ Eigen::Matrix3d gradient_of(const Shape& shape, const Corners& u) {
   return f;
 }
 
-Vector6d strain_of(const Eigen::Matrix3d& f) {
+Vector6d green_strain_of(const Eigen::Matrix3d& f) {
   const Eigen::Matrix3d e = 0.5 * (f.transpose() * f - Eigen::Matrix3d::Identity());
   Vector6d c;
   for (int k = 0; k < 6; ++k) c[k] = e(row_of[k], column_of[k]);
@@ -58,11 +58,11 @@ void guard(Eigen::Matrix3d& f, Vector6d& c) {
   for (int k = 0; k < 6; ++k) c[k] = strain(row_of[k], column_of[k]);
 }
 
-Eigen::VectorXd flat(const std::vector<Eigen::Vector3d>& u) {
+Eigen::VectorXd to_column(const std::vector<Eigen::Vector3d>& u) {
   return Eigen::Map<const Eigen::VectorXd>(u.front().data(), 3 * static_cast<Eigen::Index>(u.size()));
 }
 
-void unflatten(const Eigen::VectorXd& x, std::vector<Eigen::Vector3d>& u) {
+void to_vectors(const Eigen::VectorXd& x, std::vector<Eigen::Vector3d>& u) {
   Eigen::Map<Eigen::VectorXd>(u.front().data(), x.size()) = x;
 }
 
@@ -87,7 +87,7 @@ DoubleXpbd::DoubleXpbd(const Model& model, const SolverSettings& settings)
 }
 
 Vector6d DoubleXpbd::strain(std::size_t tet, const std::vector<Eigen::Vector3d>& u) const {
-  return strain_of(gradient_of(shape_of(model_, tet), corners_of(model_.tets[tet], u)));
+  return green_strain_of(gradient_of(gradients_of(model_, tet), corners_of(model_.tets[tet], u)));
 }
 
 DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eigen::Vector3d>& u,
@@ -97,10 +97,10 @@ DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const std::vector<Eig
 
 DoubleXpbd::TetResult DoubleXpbd::solve_tet(std::size_t t, const Corners& u, const Vector6d& previous_strain,
                                             const Vector6d& multiplier) const {
-  const Shape shape = shape_of(model_, t);
+  const Shape shape = gradients_of(model_, t);
   const Material& m = model_.materials[model_.tet_material[t]];
   Eigen::Matrix3d f = gradient_of(shape, u);
-  const Vector6d plain = strain_of(f);
+  const Vector6d plain = green_strain_of(f);
   Vector6d c = plain;
   if (m.model == MaterialModel::signed_st_venant_kirchhoff) guard(f, c);
   Eigen::Matrix<double, 6, 12> g;  // d strain_k / d u_a = 1/2 (F_row b_column + F_column b_row)
@@ -174,13 +174,13 @@ void DoubleXpbd::step(State& state) {
     DoubleAnderson anderson(settings_.window);
     chebyshev_.begin_step();
     for (int i = 0; i < settings_.iterations; ++i) {
-      const Eigen::VectorXd x = flat(u);
+      const Eigen::VectorXd x = to_column(u);
       sweep(u, lambda, before);
-      if (settings_.acceleration == Acceleration::anderson_positions) unflatten(anderson.next(x, flat(u)), u);
-      if (settings_.acceleration == Acceleration::chebyshev) unflatten(chebyshev_.next(x, flat(u)), u);
+      if (settings_.acceleration == Acceleration::anderson_positions) to_vectors(anderson.next(x, to_column(u)), u);
+      if (settings_.acceleration == Acceleration::chebyshev) to_vectors(chebyshev_.next(x, to_column(u)), u);
     }
     for (std::size_t v = 0; v < u.size(); ++v) state.velocity[v] = (u[v] - u_n[v]) / h;
   }
 }
 
-}  // namespace fascia::test
+}  // namespace fascia::reference

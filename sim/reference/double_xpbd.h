@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "sim/model/model.h"
+#include "sim/model/state.h"
 #include "sim/ordering/graph_coloring.h"
-#include "sim/reference/newton.h"
+#include "sim/reference/double_acceleration.h"
+#include "sim/reference/elasticity.h"
 #include "sim/scene/settings/solver_settings.h"
-#include "tests/support/gpu/double_acceleration.h"
 
-namespace fascia::test {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+namespace fascia::reference {
 
 class DoubleXpbd {
  public:
@@ -43,4 +42,4 @@ class DoubleXpbd {
   DoubleChebyshev chebyshev_;
 };
 
-}  // namespace fascia::test
+}  // namespace fascia::reference
