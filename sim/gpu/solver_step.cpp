@@ -83,8 +83,11 @@ void GpuSolver::iterate(int iteration, int count) {
     if (iteration == 0) return fused->first.run();
     return fused->iteration.run(static_cast<std::uint32_t>(count));
   }
-  if (refreshes) run(passes_->refresh);  // with the stiffness of contact that the last forces had, as above
+  // With the stiffness of contact that the last forces had, as above; a stop rule looks at the gradient first.
+  const bool refreshes_first = contact_.acts() && !stop_;
+  if (refreshes && refreshes_first) run(passes_->refresh);
   if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
+  if (refreshes && !refreshes_first) run(passes_->refresh);
   run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
 }
 

@@ -155,7 +155,7 @@ TEST_CASE(
 
   desk.compare(CompareAsk::open_or_close);
   desk.compare(CompareAsk::edit_a);
-  CHECK_THROWS_WITH(desk.tuning.go_to(1), Catch::StartsWith("Fixed vertices, regions and elements"));
+  CHECK_THROWS_WITH(desk.tuning.go_to(1), Catch::StartsWith("Fixed vertices, regions, elements and instruments"));
   CHECK(desk.history().done() == 3);
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("Escape closes a list of the panels, and grabs that stay are kept") {
   CHECK(eventually([&] { return difference(rest, right_part(window.screenshot().image, kPanels)).share > 0.01; }));
   window.key("t");
   window.release();
-  window.move(115, 185);  // the tab Solver
+  window.move(184, 185);  // the tab Solver
   window.press();
   window.release();
   window.move(215, 251);  // the list of methods, which opens below
