@@ -96,8 +96,9 @@ TEST_CASE("an unknown command is reported, not the word after it", "[usage]") {
   CHECK_THAT(said({"rendr", "x.json", "--out", "x.png"}), Contains("rendr: unknown command, perhaps you meant render"));
   CHECK_THAT(said({"help"}), Contains("perhaps you meant --help"));
   CHECK_THAT(said({"bench", "Sped", "--out", "x"}), Contains("Sped: unknown command, perhaps you meant speed"));
-  CHECK_THAT(said({"bench", "zzz", "--out", "x"}),
-             Contains("zzz: unknown command; expected one of figures, accuracy, speed, static, skip, contact, window, fill"));
+  CHECK_THAT(
+      said({"bench", "zzz", "--out", "x"}),
+      Contains("zzz: unknown command; expected one of figures, accuracy, speed, static, skip, contact, window, fill"));
   CHECK_THAT(said({"bench"}), Contains("fascia bench: no command named; expected one of figures"));
   CHECK_THAT(said({cube(), "y.json"}), Contains("y.json: not expected here"));  // the first one is a file
   CHECK_THAT(said({"x.json", "y.json"}), Contains("y.json: not expected here"));
