@@ -313,7 +313,8 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
        MeshShape{"torus.obj", 1, torus},
        {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.11, 0.19, 0.1}, {0, 30, 10}}}}};
   for (const Case& c : cases) {
-    if (c.name == "mesh" && loads == gl::LoadPath::storage) continue;  // takes too long there
+    // Only how kernels read differs there: one shape, and one that needs few iterations.
+    if (loads == gl::LoadPath::storage && c.name != "sphere") continue;
     Model model = cube(0.2, 6, soft(2e4));
     model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5), tool(c.name, c.shape, 0.4, c.path)};
     GpuSolver solver(gpu.programs, model, two_level(c.iterations));
