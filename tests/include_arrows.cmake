@@ -10,7 +10,7 @@ set(arrows
   "sim/accuracy: sim/material sim/model sim/reference"
   "sim/bare_mesh: base sim/elements sim/grab sim/material sim/mesh sim/model sim/reference sim/surface"
   "sim/coarse: sim/mesh sim/model"
-  "sim/contact: sim/mesh sim/model sim/tool"
+  "sim/contact: sim/mesh sim/model sim/surface sim/tool"
   "sim/elements: sim/mesh"
   "sim/gpu: base gl sim/coarse sim/gpu/acceleration sim/gpu/contact sim/gpu/integrators sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/contact/contact_surface.h"
+#include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
 
 std::vector<double> contact_gaps(const Model& model, const State& state, const std::vector<ToolPlace>& places) {
-  const std::vector<double> areas = surface_areas(model);
+  const std::vector<double> areas = tissue_areas(model, tissue_boundary(model));
   std::vector<double> gaps(areas.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t v = 0; v < gaps.size(); ++v) {
     if (areas[v] == 0) continue;

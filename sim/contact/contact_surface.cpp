@@ -109,10 +109,8 @@ ContactSurface make_contact_surface(const Model& model) {
   return surface;
 }
 
-std::vector<double> surface_areas(const Model& model) { return tissue_areas(model, tissue_boundary(model)); }
-
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface) {
-  const std::vector<double> below = tissue_stiffness(model, surface_areas(model));
+  const std::vector<double> below = tissue_stiffness(model, tissue_areas(model, tissue_boundary(model)));
   std::vector<double> stiffness;
   stiffness.reserve(surface.points.size());
   for (const ContactPoint& point : surface.points) {

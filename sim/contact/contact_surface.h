@@ -48,9 +48,6 @@ inline constexpr double kContactPenalty = 10;
 /// Without points if the model has no tools.
 ContactSurface make_contact_surface(const Model& model);
 
-/// [vertex] a third of the area of the surface's triangles at each, at rest [m^2]: 0 inside.
-std::vector<double> surface_areas(const Model& model);
-
 /// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the
 /// vertices (l: the height of a cell), s = 10 times the factor of the scene. At level L a 4^L-th.
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/penetration.h"
+#include "sim/surface/triangle_tree.h"
 
 namespace fascia {
 namespace {
@@ -35,22 +35,6 @@ constexpr double kSharp = 0.005;
 // Of their distance at rest, by which a vertex and a face of one body can be inside each other: farther is the
 // thickness of a part that is crushed.
 constexpr double kThin = 1.0 / 3;
-
-double distance_to_triangle(const Vector3d& x, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const Vector3d n = (b - a).cross(c - a);
-  const auto outside = [&](const Vector3d& p, const Vector3d& q) { return n.cross(q - p).dot(x - p) < 0; };
-  const auto to_segment = [&](const Vector3d& p, const Vector3d& q) {
-    const double t = std::clamp((x - p).dot(q - p) / (q - p).squaredNorm(), 0.0, 1.0);
-    return (x - p - t * (q - p)).norm();
-  };
-  const bool ab = outside(a, b), bc = outside(b, c), ca = outside(c, a);
-  if (!ab && !bc && !ca) return std::abs(n.dot(x - a)) / n.norm();
-  double nearest = std::numeric_limits<double>::max();
-  if (ab) nearest = std::min(nearest, to_segment(a, b));
-  if (bc) nearest = std::min(nearest, to_segment(b, c));
-  if (ca) nearest = std::min(nearest, to_segment(c, a));
-  return nearest;
-}
 
 struct Crossing {
   double s = 0, t = 0;  // shares of the way along the two edges
@@ -214,11 +198,13 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   Vector3d normal, local;
   std::array<Vector3d, 3> corners;
   const double from = gap_at(0, normal, local, corners), to = gap_at(1, normal, local, corners);
+  if (!std::isfinite(from) || !std::isfinite(to)) return;  // a triangle without area
   const double way = way_of(v) + std::max({way_of(t[0]), way_of(t[1]), way_of(t[2])});
   if (std::min(from, to) > skin_ + kMargin * (edge_ + way) || from < -kDeepest * edge_) return;
   see_near({v, t[0], t[1], t[2]});
   const double share = from <= skin_ || to >= from ? 0 : std::min(1.0, (from - skin_) / (from - to));
   const double then = gap_at(share, normal, local, corners);
+  if (!std::isfinite(then)) return;
   const double twice_area2 = normal.squaredNorm();
   const Vector3d b = corners[1] - corners[0], c = corners[2] - corners[0];
   const double beta = local.cross(c).dot(normal) / twice_area2, gamma = b.cross(local).dot(normal) / twice_area2;
@@ -227,7 +213,8 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   if (least < -(pressed_[slot] ? kBesidePressed : kBeside)) return;
   const std::uint32_t body = body_of_[v], other = body_of_[t[0]];
   if (body == other) {
-    const double at_rest = distance_to_triangle(rest_[v], rest_[t[0]], rest_[t[1]], rest_[t[2]]);
+    const Vector3d w = nearest_weights(rest_[v], rest_[t[0]], rest_[t[1]], rest_[t[2]]);
+    const double at_rest = (rest_[v] - w[0] * rest_[t[0]] - w[1] * rest_[t[1]] - w[2] * rest_[t[2]]).norm();
     if (at_rest < 2 * skin_ || -from > kThin * at_rest) return;
   }
   Candidate candidate;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/mesh/linear_tets.h"
-#include "sim/mesh/tet_faces.h"
+#include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
@@ -16,10 +15,7 @@ namespace {
 constexpr int kMostParts = 8;  // along an edge
 }
 
-TissueCover::TissueCover(const Model& model, double radius)
-    : radius_(radius),
-      faces_(boundary_triangles(
-          linear_tets(model.tets, model.mid_edges, model.rest_positions, 0, model.tets.size()).tets)) {
+TissueCover::TissueCover(const Model& model, double radius) : radius_(radius), faces_(tissue_boundary(model)) {
   follow(model.rest_positions);
 }
 

@@ -17,7 +17,7 @@ std::vector<std::uint32_t> bodies_of_vertices(const Model& model);
 
 struct TissueEdge {
   std::uint32_t from, to;                // ascending vertices
-  std::array<std::uint32_t, 2> sides{};  // triangles at it; the second one kNoSide at the rim of none
+  std::array<std::uint32_t, 2> sides{};  // triangles at it, of more than two the first and the last
   double area = 0;                       // [m^2] of all triangles at it
   static constexpr std::uint32_t kNoSide = ~0u;
 };

@@ -122,7 +122,7 @@ void GpuSolver::iterate_all() {
 void GpuSolver::solve_stage(const IntegratorStage& stage) {
   begin_stage(stage);
   iterate_all();
-  for (int searches = 1; searches < PairSearch::kMostSearches && contact_.searches_again(buffers_); ++searches) {
+  for (int searches = 1; searches < PairSearch::kMostSearches && contact_.search_again(buffers_); ++searches) {
     if (const FusedStep* fused = fused_step())
       fused->again.run();
     else

@@ -16,8 +16,7 @@ OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0 where not near
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 OUTPUT(vec4, ContactForce, contact_force)          // [points]
 OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
-INOUT(uint, ContactLimit, contact_limit)           // [bodies] contact_retreat.comp; then [points] the bodies
-#define LEAST_SHARE 1e-6
+INOUT(uint, ContactLimit, contact_limit)           // [bodies] contact_advance.comp; then [points] the bodies
 uniform uint pieces, bodies;
 
 void main() {
@@ -43,7 +42,7 @@ void main() {
     before -= half_thickness(piece);
     after -= half_thickness(piece);
     if (after < -let_in(piece) && after < before)
-      atomicMin(contact_limit[contact_limit[bodies + i]], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after) + LEAST_SHARE));
+      atomicMin(contact_limit[contact_limit[bodies + i]], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after)));
 #if MESHES
     d.xyz = normalize(d.xyz);
 #endif

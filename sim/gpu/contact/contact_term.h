@@ -9,8 +9,8 @@
 #include "sim/coarse/coarse_contact.h"
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/pair_energy.h"
-#include "sim/contact/pair_search.h"
 #include "sim/contact/tool_load.h"
+#include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
 
@@ -30,7 +30,7 @@ class ContactTerm : public EnergyTerm {
   void begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers);
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
-  bool searches_again(SimBuffers& buffers);
+  bool search_again(SimBuffers& buffers);
   bool searches() const { return !pairs_.empty(); }
 
   std::string name() const override { return "contact"; }
@@ -42,6 +42,7 @@ class ContactTerm : public EnergyTerm {
   Passes project(gl::ProgramCache&, const SimBuffers&, bool) const override { return {}; }
   Passes impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes begin(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
+  Passes advance(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer& step) const override;
   Passes evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes finish(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
@@ -60,7 +61,7 @@ class ContactTerm : public EnergyTerm {
 
   const gl::Buffer& loads() const { return loads_; }  // filled by the passes of impulses()
   /// The pairs of the last stage, and where their forces are, behind those of the points: vec4 [pairs].
-  const std::vector<PairRow>& pairs() const { return rows_of_pairs_; }
+  const std::vector<PairRow>& pairs() const { return pairs_.rows(); }
   const gl::Buffer& forces() const { return forces_; }
   std::size_t forces_of_pairs() const { return sizeof(shared::vec4) * point_count(); }
   static std::vector<PairLoad> sum_of(const std::vector<PairRow>& pairs, const std::vector<shared::vec4>& forces);
@@ -68,13 +69,14 @@ class ContactTerm : public EnergyTerm {
   std::vector<ToolLoad> sum_of(const std::vector<shared::vec4>& loads) const;
 
  private:
+  static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
+  static constexpr std::uint32_t kStretch = 256;   // of points that one invocation lists
+
   void make_grids();
   gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
   void upload_points(const Model& model);
   void place_pieces(const ToolMotion& motion);
-  void place_pairs(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
-                   SimBuffers& buffers);
-  void limit_start(const std::vector<Eigen::Vector3d>& end);
+  void upload_pairs();
   void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
@@ -86,18 +88,12 @@ class ContactTerm : public EnergyTerm {
   const SimBuffers& buffers_;
   std::vector<Tool> tools_;
   ContactSurface surface_;
-  PairSearch pairs_;
-  std::vector<PairRow> rows_of_pairs_;
-  std::vector<Eigen::Vector3d> start_;                     // [vertex of the model] of the stage; with pairs only
-  double friction_ = 0;                                    // between tissue and tissue
+  PairStage pairs_;
   std::vector<std::vector<std::uint32_t>> point_entries_;  // [vertex] 4 * point + corner
-  std::vector<std::uint32_t> place_;                       // [vertex of the model] in the buffers
   double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
-  double let_in_ = 0;                                      // [m] by which the iterations may start inside a tool
-  std::vector<float> limits_;                              // [body] of pairs: the share of its way at which they start
-  std::vector<char> falls_;                                // [vertex of the model] in unconstrained parts
-  Eigen::Vector3d gravity_{0, 0, 0};
-  std::uint32_t most_entries_ = 0;                    // of a vertex
+  double let_in_ = 0;                                      // [m] how deep inside tools bodies are taken
+  std::vector<float> limits_;       // [body] the share of its first step at which it meets other tissue
+  std::uint32_t most_entries_ = 0;  // of a vertex
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex

@@ -76,6 +76,7 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                     {"last_step", &last_step_},
                                     {"iterate", &r.buffers.displacement},
                                     {"displacement", &r.buffers.displacement}}));
+  append(passes, r.advances(last_step_));
   append(passes, gradient_.passes(r));
   passes.push_back(objective_sum(r));
   passes

@@ -52,6 +52,9 @@ class EnergyTerm {
   // Passes of terms whose forces are not functions of one vertex alone.
   using Passes = std::vector<gl::ComputePass>;
   virtual Passes begin(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // of a stage, after the prediction
+  /// From the start of the stage along `step` (vec4 [vertex_count] [m], what is left of it) to where the term first
+  /// resists: the iterations go back there if the whole step raises the objective.
+  virtual Passes advance(gl::ProgramCache&, const SimBuffers&, const gl::Buffer& /*step*/) const { return {}; }
   virtual Passes evaluate(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // before every gradient
   virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }    // of a stage
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }

@@ -26,6 +26,13 @@ Passes Recording::beginnings() const {
   return passes;
 }
 
+Passes Recording::advances(const gl::Buffer& step) const {
+  Passes passes;
+  for (const EnergyTerm* term : terms)
+    if (term->acts()) append(passes, term->advance(programs, buffers, step));
+  return passes;
+}
+
 Passes Recording::evaluations() const {
   Passes passes;
   for (const EnergyTerm* term : terms)

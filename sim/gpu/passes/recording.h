@@ -43,8 +43,10 @@ struct Recording {
     return (items / sum.lanes + 2) * (1 + inner);
   }
 
-  /// What external energies compute at the beginning of a stage, before every gradient, and at the end of a stage.
+  /// What external energies compute at the beginning of a stage, along its first step, before every gradient, and at
+  /// the end of a stage.
   Passes beginnings() const;
+  Passes advances(const gl::Buffer& step) const;
   Passes evaluations() const;
   Passes endings() const;
   /// Projects the external energies that act, after an iteration that does not descend the objective.

@@ -31,20 +31,23 @@ Tool ground() {
   return tool;
 }
 
-TEST_CASE("a stack of two cubes presses with once and twice a weight", "[contact]") {
-  const Material material = soft(1e5, 0.3, 0.05);
-  // Meshes whose vertices do not meet, and the upper cube sticks out.
+// Meshes whose vertices do not meet, and the upper cube sticks out.
+Model stack(const Material& material) {
   Model model = beside(box_model(3, 3, 3, {0.2, 0.2, 0.2}, material),
                        moved(box_model(4, 4, 4, {0.2, 0.2, 0.2}, material), {0.03, 0.2, 0.02}), "upper");
   model.gravity = {0, -9.81, 0};
   model.tools = {ground()};
+  return model;
+}
+
+// In motion vertices wander between faces of the other cube, by which forces change a little; at rest they do not.
+TEST_CASE("a stack of two cubes presses with once and twice a weight", "[contact]") {
+  const Model model = stack(soft(1e5, 0.3, 0.05));
   NewtonSolver solver(model, frames());
   State state = initial_state(model);
-  for (int i = 0; i < 240; ++i) {
-    const NewtonReport report = solver.step(state);
-    CAPTURE(i, report.iterations, report.relative_residual);
-    CHECK(report.converged);
-  }
+  int unsolved = 0;
+  for (int i = 0; i < 240; ++i) unsolved += solver.step(state).converged ? 0 : 1;
+  CHECK(unsolved == 0);
   const std::vector<PairLoad>& loads = solver.pair_loads();
   REQUIRE(loads.size() == 1);
   CAPTURE(loads[0].force.transpose(), loads[0].pairs, loads[0].deepest, solver.tool_loads()[0].force.transpose());
@@ -82,11 +85,7 @@ TEST_CASE("a collision in free flight keeps the momentum of both", "[contact]") 
 }
 
 TEST_CASE("cubes set on each other have a static equilibrium", "[contact]") {
-  const Material material = soft(1e5);
-  Model model = beside(box_model(3, 3, 3, {0.2, 0.2, 0.2}, material),
-                       moved(box_model(4, 4, 4, {0.2, 0.2, 0.2}, material), {0.03, 0.2, 0.02}), "upper");
-  model.gravity = {0, -9.81, 0};
-  model.tools = {ground()};
+  const Model model = stack(soft(1e5));
   NewtonSolver solver(model, frames());
   State state = initial_state(model);
   const NewtonReport report = solver.solve_static(state);

@@ -1,0 +1,202 @@
+// The passes of contact within a step: which points are near, where bodies meet, forces, curvatures and memory.
+#include <set>
+
+#include "sim/contact/contact_block.h"
+#include "sim/gpu/contact/contact_term.h"
+#include "sim/gpu/contact/piece_rows.h"
+#include "sim/gpu/passes/reduction.h"
+
+namespace fascia {
+
+std::optional<std::string> ContactTerm::define(TermUse use) const {
+  if (use == TermUse::gradient) return "1";
+  if (use == TermUse::block) return "2";
+  return std::nullopt;
+}
+
+void ContactTerm::bind(TermUse use, gl::ComputePass::Bindings& bindings) const {
+  bindings.insert(bindings.end(), {{"contact_begin", &begin_},
+                                   {"contact_end", &end_},
+                                   {"contact_entries", &entries_},
+                                   {"contact_weights", &weights_}});
+  if (use == TermUse::gradient)
+    bindings.emplace_back("contact_force", &forces_);
+  else
+    bindings.emplace_back("contact_block", &blocks_);
+}
+
+gl::Defines ContactTerm::defines() const {
+  std::set<int> kinds;
+  for (const ContactPiece& piece : surface_.pieces) kinds.insert(piece_rows_of(tools_[piece.tool].shape).kind);
+  gl::Defines defines = defines_of_shapes(kinds);
+  defines.emplace_back("PAIRS", pairs_.empty() ? "0" : "1");
+  return defines;
+}
+
+std::uint32_t ContactTerm::loops_of_point() const {
+  constexpr std::uint32_t kOfGrid = 13;  // shaders/sim/contact/mesh_distance.glsl
+  return static_cast<std::uint32_t>(surface_.pieces.size()) * (grids_ ? kOfGrid : 1) + 1;
+}
+
+gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char* kernel,
+                                         gl::ComputePass::Bindings more) const {
+  more.insert(more.end(), {{"contact_pieces", &pieces_},
+                           {"contact_vertices", &vertices_},
+                           {"contact_weights", &weights_},
+                           {"contact_rest", &rest_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
+  gl::ComputePass pass(programs.compute(kernel, defines()), std::move(more), point_count(),
+                       {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
+                        {"bodies", static_cast<std::uint32_t>(limits_.size())}});
+  pass.loops(loops_of_point());
+  return pass;
+}
+
+gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* kernel,
+                                       gl::ComputePass::Bindings more) const {
+  more.insert(more.end(), {{"contact_pieces", &pieces_},
+                           {"contact_vertices", &vertices_},
+                           {"contact_weights", &weights_},
+                           {"contact_rest", &rest_},
+                           {"contact_normal", &normals_},
+                           {"contact_near", &near_},
+                           {"deferred_items", &list_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
+  gl::ComputePass::Constants constants{{"deferred_list", 0}, {"deferred_begin", 4}};
+  if (!pairs_.empty()) {
+    more.emplace_back("contact_pairs", &constants_);
+    constants.emplace_back("points", point_count());
+  }
+  gl::Defines listed = defines();
+  listed.emplace_back("DEFERRED", "1");
+  listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
+  gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
+                       std::move(constants));
+  pass.loops(loops_of_point());
+  pass.set_indirect(list_, 0);
+  return pass;
+}
+
+EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  Passes passes;
+  if (!surface_.empty())
+    passes.push_back(over_points(programs, "sim/contact/contact_start.comp",
+                                 {{"start_displacement", &buffers.start_of_stage()},
+                                  {"displacement", &buffers.displacement},
+                                  {"contact_memory", &buffers.contact_memory},
+                                  {"contact_before", &buffers.contact_before},
+                                  {"contact_near", &near_},
+                                  {"contact_anchor", &rows_},
+                                  {"contact_normal_now", &normals_},
+                                  {"contact_limit", &limit_},
+                                  {"contact_force", &forces_},
+                                  {"contact_block", &blocks_}}));
+  const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
+  if (!surface_.empty())
+    passes
+        .emplace_back(programs.compute("sim/contact/contact_count.comp", stretched),
+                      gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}}, stretches(),
+                      gl::ComputePass::Constants{{"points", point_count()}})
+        .loops(kStretch + 1);
+  passes
+      .emplace_back(
+          programs.compute("sim/contact/contact_list.comp", stretched),
+          gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
+          stretches(), gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches()}})
+      .loops(stretches() + kStretch + 1);
+  passes
+      .emplace_back(programs.compute("sim/contact/contact_touched.comp"),
+                    gl::ComputePass::Bindings{{"contact_begin", &begin_},
+                                              {"contact_entries", &entries_},
+                                              {"contact_near", &near_},
+                                              {"contact_end", &end_}},
+                    buffers.vertex_count)
+      .loops(most_entries_ + 1);
+  return passes;
+}
+
+EnergyTerm::Passes ContactTerm::advance(gl::ProgramCache& programs, const SimBuffers& buffers,
+                                        const gl::Buffer& step) const {
+  Passes passes;
+  passes
+      .emplace_back(programs.compute("sim/contact/contact_advance.comp"),
+                    gl::ComputePass::Bindings{{"contact_limit", &limit_},
+                                              {"contact_body", &body_},
+                                              {"iterate", &buffers.displacement},
+                                              {"displacement", &buffers.displacement},
+                                              {"last_step", &step}},
+                    buffers.vertex_count)
+      .loops(0);
+  return passes;
+}
+
+EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  return {over_near(programs, "sim/contact/contact_force.comp",
+                    {{"displacement", &buffers.displacement},
+                     {"contact_memory", &buffers.contact_memory},
+                     {"contact_anchor", &rows_},
+                     {"contact_force", &forces_},
+                     {"contact_block", &blocks_}})};
+}
+
+EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  return {over_near(programs, "sim/contact/contact_finish.comp",
+                    {{"displacement", &buffers.displacement},
+                     {"contact_memory_now", &buffers.contact_memory},
+                     {"contact_row", &rows_},
+                     {"contact_force", &forces_}})};
+}
+
+std::uint32_t ContactTerm::curvature_partials(const gl::ProgramCache& programs) const {
+  return Reduction(programs, point_count() + pairs_.slot_count()).partials;
+}
+
+EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimBuffers& buffers,
+                                          const TermCurvature& at) const {
+  const std::uint32_t most = point_count() + pairs_.slot_count();
+  const Reduction sum(programs, most);
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"contact_vertices", &vertices_},
+                                     {"contact_weights", &weights_},
+                                     {"contact_block", &blocks_},
+                                     {"contact_list", &list_},
+                                     {"fine_direction", &at.fine_direction},
+                                     {"curvature_partials", &at.partials}};
+  if (at.coarse_direction) bindings.emplace_back("coarse_direction", at.coarse_direction);
+  Passes passes;
+  passes
+      .emplace_back(
+          programs.compute("sim/contact/contact_curvature.comp", {{"SPLIT", at.coarse_direction ? "1" : "0"}}),
+          std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
+      .loops(most / sum.lanes + 2);
+  return passes;
+}
+
+EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  Passes passes;
+  passes.emplace_back(programs.compute("sim/contact/contact_impulse.comp"),
+                      gl::ComputePass::Bindings{{"step", &buffers.step},
+                                                {"contact_begin", &begin_},
+                                                {"contact_end", &end_},
+                                                {"contact_entries", &entries_},
+                                                {"contact_weights", &weights_},
+                                                {"contact_force", &forces_},
+                                                {"slot_begin", &buffers.slot_begin},
+                                                {"correction", &buffers.correction}},
+                      buffers.vertex_count);
+  if (surface_.empty()) return passes;
+  gl::Defines defines_of_load = defines_of_shapes({});
+  defines_of_load.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
+  passes.emplace_back(programs.compute("sim/contact/contact_load.comp", defines_of_load),
+                      gl::ComputePass::Bindings{{"contact_pieces", &pieces_},
+                                                {"contact_vertices", &vertices_},
+                                                {"contact_weights", &weights_},
+                                                {"contact_rest", &rest_},
+                                                {"displacement", &buffers.displacement},
+                                                {"contact_row", &rows_},
+                                                {"contact_loads", &loads_}},
+                      kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size()));
+  return passes;
+}
+
+}  // namespace fascia

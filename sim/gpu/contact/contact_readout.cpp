@@ -1,0 +1,96 @@
+// What is read from contact on the GPU: its stiffness for the coarse level, forces of tools, pairs and vertices, and
+// pressures for pictures.
+#include <algorithm>
+
+#include "sim/contact/tissue_surface.h"
+#include "sim/gpu/contact/contact_term.h"
+
+namespace fascia {
+
+using Eigen::Vector3d;
+using shared::vec4;
+
+std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
+  std::vector<PointStiffness> result;
+  const std::size_t most = places_.size();
+  std::uint32_t count = 0;
+  list_.download(3 * sizeof count, sizeof count, &count);
+  if (count == 0 || count > most) return result;
+  std::vector<std::uint32_t> points(count);
+  list_.download(4 * sizeof count, count * sizeof count, points.data());
+  std::vector<vec4> blocks(2 * most);
+  blocks_.download(0, blocks.size() * sizeof(vec4), blocks.data());
+  for (const std::uint32_t p : points) {
+    if (p >= most) return {};  // a device that fails
+    const vec4 &d = blocks[2 * p], &s = blocks[2 * p + 1];
+    if (!(d.x + d.y + d.z > 0)) continue;
+    Eigen::Matrix3d stiffness;
+    stiffness << d.x, s.z, s.y, s.z, d.y, s.x, s.y, s.x, d.z;
+    std::array<double, 4> weights{};
+    if (p >= point_count())
+      weights = pairs_.rows()[p - point_count()].weights;
+    else
+      std::copy_n(surface_.points[p].weights.begin(), 3, weights.begin());
+    result.push_back({places_[p], weights, stiffness});
+  }
+  return result;
+}
+
+std::vector<PairLoad> ContactTerm::sum_of(const std::vector<PairRow>& pairs, const std::vector<vec4>& forces) {
+  std::vector<PairLoad> loads;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Vector3d force(forces[k].x, forces[k].y, forces[k].z);
+    const double pressing = forces[k].w;
+    if (pressing > 0 || !force.isZero(0))
+      add_load(loads, pairs[k], force, pressing > 0, (pressing - pairs[k].before) / pairs[k].stiffness);
+  }
+  return loads;
+}
+
+std::vector<Vector3d> ContactTerm::forces_at_vertices() const {
+  std::vector<Vector3d> forces(model_.rest_positions.size(), Vector3d::Zero());
+  if (!acts()) return forces;
+  const std::vector<vec4> at_points = forces_.read<vec4>();
+  const auto force_at = [&](std::size_t p) { return Vector3d(at_points[p].x, at_points[p].y, at_points[p].z); };
+  for (std::size_t p = 0; p < surface_.points.size(); ++p)
+    for (std::size_t k = 0; k < 3; ++k)
+      forces[surface_.points[p].vertices[k]] += surface_.points[p].weights[k] * force_at(p);
+  for (std::size_t p = 0; p < pairs_.rows().size(); ++p)
+    for (std::size_t k = 0; k < 4; ++k)
+      forces[pairs_.rows()[p].vertices[k]] += pairs_.rows()[p].weights[k] * force_at(point_count() + p);
+  return forces;
+}
+
+void ContactTerm::forget_forces() {
+  if (!acts()) return;
+  forces_.clear();
+  rows_.clear();
+}
+
+void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
+  if (!areas_) {
+    std::vector<float> areas(model_.rest_positions.size());
+    const std::vector<double> of_vertices = tissue_areas(model_, tissue_boundary(model_));
+    for (std::size_t v = 0; v < areas.size(); ++v)
+      areas[buffers_.placement.place[v]] = static_cast<float>(of_vertices[v]);
+    areas_ = gl::Buffer("contact_area", areas);
+  }
+  bind(TermUse::gradient, bindings);
+  bindings.emplace_back("contact_area", &areas_);
+}
+
+std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {
+  std::vector<ToolLoad> result(tools_.size());
+  for (std::size_t p = 0; p < surface_.pieces.size(); ++p)
+    for (std::size_t lane = 0; lane < kLoadLanes; ++lane) {
+      const vec4 &force = loads[2 * (kLoadLanes * p + lane)], &torque = loads[2 * (kLoadLanes * p + lane) + 1];
+      ToolLoad& load = result[surface_.pieces[p].tool];
+      load.force += Vector3d(force.x, force.y, force.z);
+      load.torque += Vector3d(torque.x, torque.y, torque.z);
+      load.points += static_cast<std::uint32_t>(force.w);
+      load.deepest = std::max<double>(load.deepest, torque.w);
+    }
+  return result;
+}
+
+}  // namespace fascia

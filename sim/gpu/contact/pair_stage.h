@@ -1,0 +1,40 @@
+// The pairs of the tissue in a stage (sim/contact/pair_search.h), found from the state that the GPU has.
+#pragma once
+#include <vector>
+
+#include "sim/contact/pair_search.h"
+#include "sim/gpu/passes/sim_buffers.h"
+
+namespace fascia {
+
+class PairStage {
+ public:
+  /// Empty if no tissue of the model touches tissue.
+  explicit PairStage(const Model& model);
+  void materials_changed(const Model& model);  // also for gravity
+
+  bool empty() const { return search_.empty(); }
+  std::uint32_t slot_count() const { return search_.slot_count(); }
+
+  /// Finds the pairs of a stage of `duration` [s]. Forces without a pair are forgotten, in the rows of the memory of
+  /// contact from `first_row` on. Waits for the GPU.
+  void begin(double duration, SimBuffers& buffers, std::uint32_t first_row);
+  /// If the iterations led tissue through tissue, finds the pairs that are met on the way to their result. Waits for
+  /// the GPU where tissue is near tissue.
+  bool search_again(SimBuffers& buffers, std::uint32_t first_row);
+
+  const std::vector<PairRow>& rows() const { return rows_; }
+  /// Lowers the shares [body] of the way to where velocities lead to those at which the body meets another, or itself.
+  void limit(std::vector<float>& shares) const;
+
+ private:
+  void find(SimBuffers& buffers, std::uint32_t first_row);
+
+  PairSearch search_;
+  std::vector<PairRow> rows_;
+  std::vector<char> falls_;  // [vertex] in unconstrained parts
+  Eigen::Vector3d gravity_{0, 0, 0};
+  std::vector<Eigen::Vector3d> start_, end_;  // [vertex] u at the start, and where the pairs are looked for up to [m]
+};
+
+}  // namespace fascia
