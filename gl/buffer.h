@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,10 +16,10 @@ class Buffer {
   Buffer() = default;
   /// Zero-filled when `data` is null. `label` shows in KHR_debug messages and in the statistics.
   Buffer(std::string label, std::size_t bytes, const void* data = nullptr)
-      : Buffer(std::move(label), bytes, data, GL_DYNAMIC_COPY) {}
+      : Buffer(std::move(label), bytes, data, Memory::device) {}
   /// A buffer for copies that are read later, in memory that the CPU can read without waiting for the GPU's queue.
   static Buffer staging(std::string label, std::size_t bytes) {
-    return {std::move(label), bytes, nullptr, GL_STREAM_READ};
+    return {std::move(label), bytes, nullptr, Memory::host};
   }
   template <class T>
   Buffer(std::string label, const std::vector<T>& data)
@@ -33,10 +34,12 @@ class Buffer {
   explicit operator bool() const { return id_ != 0; }
 
   void upload(std::size_t offset, std::size_t bytes, const void* data);
-  void download(std::size_t offset, std::size_t bytes, void* data) const;  // waits for the GPU
-  void clear();                                                            // zeros
+  /// Waits for the GPU. On GPUs through a staging copy, which is kept: drivers move a buffer that is read directly to
+  /// the host's memory, where kernels then have to fetch it.
+  void download(std::size_t offset, std::size_t bytes, void* data) const;
+  void clear();  // zeros
   /// Copies the first `bytes` of another buffer to `offset`, on the GPU.
-  void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0);
+  void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0) { copy(from, 0, bytes, offset); }
   template <class T>
   std::vector<T> read() const {
     std::vector<T> data(bytes_ / sizeof(T));
@@ -48,12 +51,17 @@ class Buffer {
   GLuint texel_view(GLenum internal_format) const;
 
  private:
-  Buffer(std::string label, std::size_t bytes, const void* data, GLenum usage);
+  enum class Memory { device, host };
+  Buffer(std::string label, std::size_t bytes, const void* data, Memory memory);
+  void copy(const Buffer& from, std::size_t from_offset, std::size_t bytes, std::size_t offset);
+  void upload_zeros(std::size_t bytes);
   void release();
   GLuint id_ = 0;
   std::size_t bytes_ = 0;
   std::string label_;
+  Memory memory_ = Memory::device;
   mutable std::map<GLenum, GLuint> views_;
+  mutable std::unique_ptr<Buffer> staging_;  // of downloads
 };
 
 /// Bytes of all existing Buffers and Textures, and those counted with count_bytes (renderbuffers).

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "gl/bindings.h"
 
 namespace fascia::gl {
 namespace {
@@ -49,16 +50,18 @@ struct Wanted {
   GLuint unit;
 };
 
-/// Numbers the binding points from 0, in the order of the program's resources, so that all passes of one program agree.
+/// Binding points depend on the program alone, so that all its passes agree.
 std::vector<Wanted> assign_units(const Program& program, const std::string& where) {
   const GLuint id = program.id();
   std::vector<Wanted> wanted;
-  GLuint unit = 0;
+  std::set<GLuint> taken;
+  GLuint place = 0;  // a block's index is its place in the list
   for (const std::string& block : resources(id, GL_SHADER_STORAGE_BLOCK)) {
-    ShaderStorageBlockBinding(id, unit, unit);  // a block's index is its place in the list
-    wanted.push_back({block, GL_SHADER_STORAGE_BUFFER, GL_NONE, unit++});
+    const GLuint point = binding_point(block, taken);
+    ShaderStorageBlockBinding(id, place++, point);
+    wanted.push_back({block, GL_SHADER_STORAGE_BUFFER, GL_NONE, point});
   }
-  unit = 0;
+  GLuint unit = 0;
   for (const std::string& block : resources(id, GL_UNIFORM_BLOCK)) {
     UniformBlockBinding(id, unit, unit);
     wanted.push_back({block, GL_UNIFORM_BUFFER, GL_NONE, unit++});
@@ -211,6 +214,8 @@ void ComputePass::run() const {
     if (slot.target == GL_TEXTURE_BUFFER) {
       ActiveTexture(GL_TEXTURE0 + slot.unit);
       BindTexture(GL_TEXTURE_BUFFER, slot.buffer->texel_view(slot.format));
+    } else if (slot.target == GL_SHADER_STORAGE_BUFFER) {
+      bind_storage(slot.unit, slot.buffer->id());
     } else {
       BindBufferBase(slot.target, slot.unit, slot.buffer->id());
     }

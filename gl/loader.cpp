@@ -8,6 +8,7 @@ namespace fascia::gl {
 #define X(name) decltype(&::gl##name) name = nullptr;
 FASCIA_GL_FUNCTIONS(X)
 #undef X
+decltype(&::glBufferStorage) BufferStorage = nullptr;
 GLenum (*GetGraphicsResetStatus)() = nullptr;
 
 namespace {
@@ -72,6 +73,10 @@ void load(GetProc get_proc) {
   found.renderer = string_of(GL_RENDERER);
   found.version = string_of(GL_VERSION);
   std::sscanf(found.version.c_str(), "%d.%d", &found.major, &found.minor);
+  // Functions are found even where the context does not have them.
+  const bool immutable = found.major > 4 || (found.major == 4 && found.minor >= 4) ||
+                         (found.major >= 3 && GetStringi && has_extension("GL_ARB_buffer_storage"));
+  BufferStorage = immutable ? reinterpret_cast<decltype(BufferStorage)>(get_proc("glBufferStorage")) : nullptr;
   int bits = 0;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
   if (found.renderer.starts_with("llvmpipe"))
     if (const auto comma = found.renderer.rfind(", "); comma != std::string::npos)
@@ -82,6 +87,7 @@ void load(GetProc get_proc) {
     found.invocations = integer_of(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
     found.shared_memory = integer_of(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
     now.max_texture_buffer_size = integer_of(GL_MAX_TEXTURE_BUFFER_SIZE);
+    now.max_storage_bindings = integer_of(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
     now.vector_width = bits / 32;
     now.max_compute_textures = integer_of(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS);
     GLint64 block_size = 0;

@@ -19,7 +19,7 @@ namespace fascia::gl {
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindBufferBase) X(BindFramebuffer) \
   X(BindRenderbuffer) X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendFuncSeparate) \
   X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
-  X(ClearBufferData) X(ClearColor) X(ClientWaitSync) X(ColorMask) X(CompileShader) \
+  X(ClearColor) X(ClientWaitSync) X(ColorMask) X(CompileShader) \
   X(CopyBufferSubData) X(CreateProgram) X(CreateShader) X(DebugMessageCallback) \
   X(DebugMessageControl) X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) \
   X(DeleteRenderbuffers) X(DeleteShader) X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) \
@@ -50,6 +50,8 @@ using GetProc = void* (*)(const char* name);
 /// context is below 4.3 or has no compute shaders.
 void load(GetProc get_proc);
 
+/// glBufferStorage, of OpenGL 4.4 or ARB_buffer_storage; null where there is neither. Filled by load().
+extern decltype(&::glBufferStorage) BufferStorage;
 /// The reason of a context loss, GL_NO_ERROR without one; null if the driver does not report it. Filled by load().
 extern GLenum (*GetGraphicsResetStatus)();
 /// Throws ContextLost if a device reset has destroyed the context's data. Queries the driver; does not wait.
@@ -70,6 +72,7 @@ struct Device {
   bool software = false;                    // computed by the CPU: llvmpipe, softpipe, ...
   int max_texture_buffer_size = 0;          // texels
   int max_compute_storage_blocks = 0;       // SSBO blocks in one compute kernel
+  int max_storage_bindings = 0;             // binding points of storage blocks
   int max_compute_textures = 0;             // buffer textures in one compute kernel
   int vector_width = 0;                     // for llvmpipe: number of invocations per vector; 0 for others
   std::int64_t max_storage_block_size = 0;  // [bytes]

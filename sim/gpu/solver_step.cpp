@@ -1,5 +1,7 @@
 // Runs the solver's recorded passes: plain steps, timed steps and traced ones.
 #include "sim/gpu/solver.h"
+
+#include "gl/bindings.h"
 #include "sim/gpu/unfolding.h"
 
 namespace fascia {
@@ -190,6 +192,7 @@ void GpuSolver::end_unfolding() {
 }
 
 void GpuSolver::step() {
+  const gl::KeptBindings kept;
   if (starts_inside_out_ || unfolding_) unfold();
   look_beside();
   choose_passes();

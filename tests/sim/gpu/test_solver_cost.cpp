@@ -4,6 +4,7 @@
 #include <cstring>
 #include <set>
 
+#include "gl/bindings.h"
 #include "sim/gpu/solver.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/gpu_fixture.h"
@@ -45,6 +46,18 @@ TEST_CASE("sliders act on the next step without new buffers or programs", "[gpu]
     other.step();
   }
   CHECK(relative_rms(solver.download().displacement, other.download().displacement) == 0);
+}
+
+// Of 689 if every pass bound all its buffers.
+TEST_CASE("buffers that stay at their binding points are not bound again", "[gpu]") {
+  Gpu gpu(gl::LoadPath::storage);
+  GpuSolver solver(gpu.programs, bar(), with(SolverChoice{Method::two_level, Acceleration::subspace}));
+  solver.step();
+  const std::uint64_t before = gl::binding_count(), dispatches_before = gl::dispatch_count();
+  solver.step();
+  const std::uint64_t bindings = gl::binding_count() - before, dispatches = gl::dispatch_count() - dispatches_before;
+  CAPTURE(dispatches);
+  CHECK(bindings < 150);
 }
 
 TEST_CASE("features that are off cost no dispatch, no program and no byte", "[gpu]") {

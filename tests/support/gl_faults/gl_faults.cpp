@@ -74,6 +74,13 @@ void buffer_data(GLenum target, GLsizeiptr size, const void* data, GLenum usage)
     REAL(glBufferData)(target, size, data, usage);
 }
 
+void buffer_storage(GLenum target, GLsizeiptr size, const void* data, GLbitfield flags) {
+  if (fault().is("allocation") && fault().now())
+    no_room = true;
+  else
+    REAL(glBufferStorage)(target, size, data, flags);
+}
+
 GLenum get_error() {
   if (!no_room) return lost ? static_cast<GLenum>(GL_CONTEXT_LOST) : REAL(glGetError)();
   no_room = false;
@@ -105,6 +112,7 @@ Function replaced(const char* name) {
   if (is("glDispatchCompute")) return reinterpret_cast<Function>(&dispatch);
   if (is("glDispatchComputeIndirect")) return reinterpret_cast<Function>(&dispatch_indirect);
   if (is("glBufferData")) return reinterpret_cast<Function>(&buffer_data);
+  if (is("glBufferStorage")) return reinterpret_cast<Function>(&buffer_storage);
   if (is("glGetError")) return reinterpret_cast<Function>(&get_error);
   if (is("glLinkProgram")) return reinterpret_cast<Function>(&link_program);
   if (is("glGetProgramiv")) return reinterpret_cast<Function>(&get_program);
