@@ -104,6 +104,7 @@ void measure_kernels(Bench& bench, const Model& model, Table& table) {
   const State start = bent_beam(model);
   std::map<std::string, std::vector<double>> times;
   std::vector<double> whole;
+  warm_up([&] { solver.step(); });
   std::map<std::string, GpuSolver::KernelTime> last;
   for (int turn = 0; turn <= repetitions_for(bench, model.tets.size()); ++turn) {
     bench.stop_if_interrupted();

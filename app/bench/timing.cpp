@@ -8,6 +8,12 @@
 
 namespace fascia {
 
+void warm_up(const std::function<void()>& work) {
+  constexpr double kMilliseconds = 300;
+  if (gl::device().software) return;
+  for (double spent = 0; spent < kMilliseconds;) spent += milliseconds_of(work);
+}
+
 double milliseconds_of(const std::function<void()>& work) {
   gl::Finish();
   const auto start = std::chrono::steady_clock::now();
@@ -27,6 +33,7 @@ Spread spread_of(std::vector<double> values) {
 
 std::vector<Spread> time_iterations(const std::vector<GpuSolver*>& solvers, const State& start, int repetitions) {
   std::vector<std::vector<double>> times(solvers.size());
+  if (!solvers.empty()) warm_up([&] { solvers.front()->step(); });
   for (int turn = 0; turn <= repetitions; ++turn)
     for (std::size_t s = 0; s < solvers.size(); ++s) {
       solvers[s]->upload(start);
