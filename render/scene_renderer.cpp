@@ -21,7 +21,7 @@ namespace fascia {
 namespace {
 
 FrameUniforms frame_uniforms(const Camera& camera, const Look& look, int width, int height) {
-  FrameUniforms frame{};
+  FrameUniforms frame;
   const Eigen::Matrix4f view_projection = camera.projection(double(width) / height, look.radius) * camera.view();
   for (int column = 0; column < 4; ++column) frame.view_projection[column] = view_projection.col(column);
   frame.eye << camera.eye.cast<float>(), 1;

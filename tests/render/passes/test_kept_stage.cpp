@@ -87,7 +87,6 @@ TEST_CASE("a stage is kept from the second picture of a view on, until the view 
   const Ground ground(programs);
   const Framebuffer target(32, 24, 1), larger(64, 24, 1), multisampled(32, 24, 4);
   FrameUniforms frame;
-  std::fill_n(reinterpret_cast<float*>(&frame), sizeof(frame) / sizeof(float), 0.0f);
   gl::Buffer uniforms("frame uniforms", sizeof(frame));
   uniforms.upload(0, sizeof(frame), &frame);
   gl::BindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
