@@ -13,7 +13,7 @@
 #include "app/session/framing.h"
 #include "app/session/session.h"
 #include "app/state/undo_history.h"
-#include "gl/timer.h"
+#include "gl/timing/timer.h"
 
 struct ImDrawList;
 

@@ -7,7 +7,7 @@
 #include "app/overlay/overlay.h"
 #include "app/window/observer.h"
 #include "app/window/parts/hover.h"
-#include "gl/timer.h"
+#include "gl/timing/timer.h"
 
 namespace fascia {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "app/overlay/overlay.h"
 #include "app/window/sides.h"
-#include "gl/timer.h"
+#include "gl/timing/timer.h"
 #include "sim/output/stats.h"
 
 namespace fascia {

@@ -11,7 +11,7 @@
 
 #include "base/progress.h"
 #include "gl/fused_pass.h"
-#include "gl/stopwatch.h"
+#include "gl/timing/stopwatch.h"
 #include "sim/gpu/acceleration/acceleration.h"
 #include "sim/gpu/acceleration/stop_rule.h"
 #include "sim/gpu/contact/contact_term.h"

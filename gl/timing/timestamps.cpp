@@ -1,4 +1,4 @@
-#include "gl/timestamps.h"
+#include "gl/timing/timestamps.h"
 
 namespace fascia::gl {
 

@@ -1,11 +1,11 @@
 // Times of work on the device.
-// Covers: stopwatch, timestamps
-#include "gl/timer.h"
+// Covers: gl/timing/stopwatch, gl/timing/timestamps
+#include "gl/timing/timer.h"
 
 #include <thread>
 
-#include "gl/stopwatch.h"
-#include "gl/timestamps.h"
+#include "gl/timing/stopwatch.h"
+#include "gl/timing/timestamps.h"
 #include "tests/gl/gl_support.h"
 
 namespace fascia::gl {

@@ -1,6 +1,6 @@
-#include "gl/stopwatch.h"
+#include "gl/timing/stopwatch.h"
 
-#include "gl/timestamps.h"
+#include "gl/timing/timestamps.h"
 
 namespace fascia::gl {
 

@@ -1,6 +1,6 @@
-#include "gl/timer.h"
+#include "gl/timing/timer.h"
 
-#include "gl/timestamps.h"
+#include "gl/timing/timestamps.h"
 
 namespace fascia::gl {
 
