@@ -33,6 +33,7 @@ set(arrows
   "sim/output: base sim/contact sim/mesh sim/mesh/io sim/mesh/io/fem sim/mesh/io/vtk sim/model sim/scene sim/simulation sim/visual"
   "sim/integrators:"
   "sim/reference: base sim/contact sim/elements sim/integrators sim/material sim/model sim/ordering sim/scene/settings sim/tool"
+  "sim/reference/tangent: sim/integrators sim/model sim/reference"
   "sim/replay: base base/json sim/grab sim/model sim/scene"
   "sim/scene: base base/json sim/material sim/scene/settings sim/scene/tools sim/surface"
   "sim/scene/settings: base sim/integrators sim/material"
