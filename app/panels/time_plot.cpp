@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "app/ui/log_plot.h"
@@ -32,14 +33,15 @@ struct Area {
   bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
 };
 
-void fit(Area& area, const TimeChart& chart, std::span<const Sample> samples) {
+void fit(Area& area, const TimeChart& chart, std::span<const Sample> samples, std::span<const Sample> measured) {
   double low = 1e300, high = -1e300;
   for (const TimeCurve& curve : chart.curves)
-    for (const Sample& sample : samples)
-      if (const double value = curve.value(sample); area.shows(value)) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
+    for (const std::span<const Sample> part : {samples, measured})
+      for (const Sample& sample : part)
+        if (const double value = curve.value(sample); area.shows(value)) {
+          low = std::min(low, value);
+          high = std::max(high, value);
+        }
   if (low > high) low = area.logarithmic ? 1e-3 : 0, high = 1;
   if (area.logarithmic) {
     area.bottom = std::pow(10.0, std::floor(std::log10(low)));
@@ -109,18 +111,51 @@ void draw_curve(ImDrawList& draw, const Area& area, const TimeCurve& curve, std:
   flush();
 }
 
-void draw_legend(const TimeChart& chart, const Sample* at) {
+// Measured values, with dashes from one to the next.
+void draw_measured(ImDrawList& draw, const Area& area, const TimeCurve& curve, std::span<const Sample> measured,
+                   ImU32 color) {
+  std::optional<ImVec2> last;
+  for (const Sample& sample : measured) {
+    const double value = curve.value(sample);
+    if (!area.shows(value)) continue;
+    const ImVec2 at{area.x(sample.time), area.y(value)};
+    if (last && at.x > area.low.x && last->x < area.high.x) {
+      const float length = std::hypot(at.x - last->x, at.y - last->y), width = at.x - last->x;
+      const auto place = [&](float s) { return ImVec2{last->x + s * width, last->y + s * (at.y - last->y)}; };
+      // Only the part inside: a neighbor far outside would be reached by millions of dashes.
+      const float begin = width > 0 ? std::max(0.0f, (area.low.x - last->x) / width) : 0,
+                  end = width > 0 ? std::min(1.0f, (area.high.x - last->x) / width) : 1;
+      for (float s = begin; s < end && length > 0; s += px(9) / length)
+        draw.AddLine(place(s), place(std::min(end, s + px(5) / length)), color, px(1.5f));
+    }
+    draw.AddCircle(at, px(2.5f), color);
+    last = at;
+  }
+}
+
+bool has_measured(const TimeChart& chart, std::span<const Sample> measured) {
+  return std::any_of(chart.curves.begin(), chart.curves.end(), [&](const TimeCurve& curve) {
+    return std::any_of(measured.begin(), measured.end(),
+                       [&](const Sample& sample) { return std::isfinite(curve.value(sample)); });
+  });
+}
+
+void draw_legend(const TimeChart& chart, const Sample* at, bool measured) {
   ImGui::PushFont(bold_font());
   ImGui::TextUnformatted(chart.title);
   ImGui::PopFont();
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    const double value = at ? chart.curves[i].value(*at) : Sample::kUnknown;
-    const std::string text = chart.curves[i].name + (chart.curves[i].name.empty() ? "" : " ") +
-                             engineering(value, chart.unit, chart.unit[0] ? 4 : 6);
+  const auto add = [](const std::string& text, const ImVec4& color) {
     ImGui::SameLine(0, px(10));
     if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text.c_str()).x) ImGui::NewLine();
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(curve_color(i)), "%s", text.c_str());
+    ImGui::TextColored(color, "%s", text.c_str());
+  };
+  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
+    const double value = at ? chart.curves[i].value(*at) : Sample::kUnknown;
+    add(chart.curves[i].name + (chart.curves[i].name.empty() ? "" : " ") +
+            engineering(value, chart.unit, chart.unit[0] ? 4 : 6),
+        ImGui::ColorConvertU32ToFloat4(curve_color(i)));
   }
+  if (measured) add("dashed: measured", kDim);
 }
 
 // Length of the shown time [s]: while the plot follows the latest sample, at most the sampled time and at least a
@@ -153,7 +188,12 @@ void time_plot(const TimeChart& chart, Plots& plots, float height, bool times) {
   const std::span<const Sample> all = plots.history.all();
   const double end = plots.right_edge(), begin = end - span_of(plots);
   const std::span<const Sample> samples = plots.history.between(begin, end);
-  draw_legend(chart, plots.cursor ? plots.history.nearest(*plots.cursor) : all.empty() ? nullptr : &all.back());
+  const std::span<const Sample> measured = plots.measured_between(begin, end);
+  draw_legend(chart,
+              plots.cursor  ? plots.history.nearest(*plots.cursor)
+              : all.empty() ? nullptr
+                            : &all.back(),
+              has_measured(chart, measured));
 
   const ImVec2 corner = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, px(height)};
   ImGui::InvisibleButton(chart.title, size);
@@ -167,11 +207,13 @@ void time_plot(const TimeChart& chart, Plots& plots, float height, bool times) {
             0,
             1,
             chart.logarithmic};
-  fit(area, chart, samples);
+  fit(area, chart, samples, measured);
   draw_axes(draw, area, chart.unit, times);
   draw.PushClipRect(area.low, area.high, true);
   for (std::size_t i = 0; i < chart.curves.size(); ++i)
     draw_curve(draw, area, chart.curves[i], samples, curve_color(i));
+  for (std::size_t i = 0; i < chart.curves.size(); ++i)
+    draw_measured(draw, area, chart.curves[i], measured, curve_color(i));
   if (const Sample* at = plots.cursor ? plots.history.nearest(*plots.cursor) : nullptr) {
     draw.AddLine({area.x(at->time), area.low.y}, {area.x(at->time), area.high.y}, ImGui::GetColorU32(kDim));
     for (std::size_t i = 0; i < chart.curves.size(); ++i)

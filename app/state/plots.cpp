@@ -4,6 +4,7 @@ namespace fascia {
 
 void Plots::forget() {
   history.clear();
+  measured.clear();
   end.reset();
   probe.reset();
   choosing = false;

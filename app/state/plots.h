@@ -15,8 +15,9 @@ struct Plots {
   bool shown = false, held = false;  // held: samples are not added, so that the chart can be read
   std::array<bool, kCharts> chosen{true, true, true, true, true, false, false, false, false, false};
   SampleHistory history;
-  double span = 10;           // seconds shown
-  std::optional<double> end;  // right edge [s]; none: the latest sample
+  std::vector<Sample> measured;  // of a file, ascending in time: drawn dashed beside the history
+  double span = 10;              // seconds shown
+  std::optional<double> end;     // right edge [s]; none: the latest sample
   std::optional<double> cursor,
       cursor_next;  // time under the mouse [s], in the previous frame and in this one: all charts show the same
   std::optional<std::uint32_t> probe;              // tracked vertex; none: the tip, once there are plots
@@ -28,7 +29,9 @@ struct Plots {
   bool at_bottom = false;       // the dock is below the tissue, since a narrow picture has no room beside it
 
   double right_edge() const { return end ? *end : history.all().empty() ? span : history.all().back().time; }
-  /// Call when the scene changes: discards samples and probe.
+  /// The measured samples between two times [s], and one more at each side.
+  std::span<const Sample> measured_between(double from, double to) const { return part(measured, from, to); }
+  /// Call when the scene changes: discards samples, measurement and probe.
   void forget();
 };
 

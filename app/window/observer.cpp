@@ -4,6 +4,8 @@
 
 #include "app/state/deformed_positions.h"
 #include "base/dated_name.h"
+#include "base/error.h"
+#include "sim/output/measured_samples.h"
 #include "sim/visual/picking.h"
 
 namespace fascia {
@@ -84,6 +86,27 @@ bool Observer::choose_probe(const Eigen::Vector2d& at) {
   plots.history.clear();  // the samples are of another vertex
   stage_.diagnose = true;
   return true;
+}
+
+void Observer::show_measured(const std::filesystem::path& file) {
+  Plots& plots = stage_.state.plots;
+  const Model& model = stage_.simulation().model;
+  MeasurementRead how{plots.probe.value_or(tip_vertex(model)), {}, {}};
+  for (const Column& column : sample_columns()) how.passed_over.push_back(column.name);
+  const Measurement measurement = read_measurement(file, model, how);
+  std::uint32_t probe = how.probe;
+  for (const MeasuredCurve& curve : measurement.curves)
+    if (curve.name.starts_with("probe_")) probe = static_cast<std::uint32_t>(curve.measurand.index);
+  std::vector<Sample> samples = measured_samples(measurement, model.tools.size(), probe);
+  if (samples.empty())
+    throw Error(file.string(), "has no curve over time that the plots show",
+                "expected time_s and reaction_y_N, grab_y_N, contact_NAME_y_N or probe_y_m");
+  if (plots.probe && plots.probe != probe) plots.history.clear();  // whose samples are of another vertex
+  plots.probe = probe;
+  plots.measured = std::move(samples);
+  plots.shown = true;
+  stage_.diagnose = true;
+  stage_.messages.say(file.string() + ": dashed in the plots");
 }
 
 void Observer::write_plots(const Requests& requests) {

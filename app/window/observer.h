@@ -20,6 +20,9 @@ class Observer {
   /// A click at this pixel of the window's picture. Returns false if no point was to be chosen.
   bool choose_probe(const Eigen::Vector2d& at);
   void write_plots(const Requests& requests);  // the requested files of the plots. Throws Error
+  /// Shows measured curves (sim/fit/measured/measurement.h) in the plots; their probe is the point that is followed.
+  /// Throws Error.
+  void show_measured(const std::filesystem::path& file);
 
  private:
   void follow(const Diagnostics& diagnostics);  // into the plots

@@ -245,6 +245,7 @@ void Window::capture(const Requests& requests) {
   capture_.follow(stepping_.simulated());
   if (requests.video) capture_.toggle_video();
   observer_.write_plots(requests);
+  if (requests.measured) observer_.show_measured(*requests.measured);
   if (requests.screenshot) capture_.screenshot();
 }
 

@@ -16,11 +16,11 @@ void SampleHistory::add(const Sample& sample) {
   samples_.push_back(sample);
 }
 
-std::span<const Sample> SampleHistory::between(double begin, double end) const {
-  auto first = std::lower_bound(samples_.begin(), samples_.end(), begin, earlier);
-  auto last = std::lower_bound(first, samples_.end(), end, earlier);
-  if (first != samples_.begin()) --first;
-  if (last != samples_.end()) ++last;
+std::span<const Sample> part(std::span<const Sample> samples, double begin, double end) {
+  auto first = std::lower_bound(samples.begin(), samples.end(), begin, earlier);
+  auto last = std::lower_bound(first, samples.end(), end, earlier);
+  if (first != samples.begin()) --first;
+  if (last != samples.end()) ++last;
   return {first, last};
 }
 

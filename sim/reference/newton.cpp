@@ -91,7 +91,7 @@ struct NewtonSolver::Impl {
   ToolMotion motion_within(double from, double to) const {
     return tools ? *tools : motion_on_paths(model.tools, from, to);
   }
-  NewtonReport solve_static(State& state, double tolerance);
+  NewtonReport solve_static(State& state, double tolerance, std::optional<double> until);
   /// eps* [tet_count].
   std::vector<Eigen::Matrix3d> strains(const IntegratorStage& stage, const VectorXd& now,
                                        const VectorXd& earlier) const;
@@ -235,11 +235,12 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   }
 }
 
-NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance) {
+NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, std::optional<double> until) {
   if (!touches()) require_supports(model);
-  const double end = std::max({state.time, model.end_of_motions(), model.end_of_tools()});
+  const double end = std::max(state.time, until ? *until : std::max(model.end_of_motions(), model.end_of_tools()));
   VectorXd u = flat(state.displacement), internal;
-  const HeldPath path(model, u, state.time, std::max(end, state.time + 1e-3));
+  const double moment = until ? 1e-9 : 1e-3;  // [s] of a path to a time that has come
+  const HeldPath path(model, u, state.time, std::max(end, state.time + moment));
 
   // The state is in equilibrium with a part of the load; the rest is added as s increases to 1.
   const VectorXd weight = mass.cwiseProduct(gravity);
@@ -313,8 +314,8 @@ std::vector<Vector3d> NewtonSolver::contact_forces() const {
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 
-NewtonReport NewtonSolver::solve_static(State& state, double tolerance) {
-  return impl_->solve_static(state, tolerance);
+NewtonReport NewtonSolver::solve_static(State& state, double tolerance, std::optional<double> until) {
+  return impl_->solve_static(state, tolerance, until);
 }
 
 }  // namespace fascia::reference

@@ -88,10 +88,10 @@ class NewtonSolver {
   const std::vector<PairLoad>& pair_loads() const;  // of tissue on tissue, in the same step
   /// [vertex] the same forces on the tissue, at its vertices [N]; zero before the first step or without tools.
   std::vector<Eigen::Vector3d> contact_forces() const;
-  /// Static equilibrium from `state` (its velocity is set to zero, its time to the end of all motions).
-  /// `tolerance` 0 means 1e-10. Tools go to the end of their motion. Throws Error if gravity acts on an unconstrained
-  /// component and there is no tool to support it.
-  NewtonReport solve_static(State& state, double tolerance = 0);
+  /// Static equilibrium from `state` (its velocity is set to zero, its time to `until`, where motions and tools then
+  /// are; without it to the end of all motions). `tolerance` 0 means 1e-10. Throws Error if gravity acts on an
+  /// unconstrained component and there is no tool to support it.
+  NewtonReport solve_static(State& state, double tolerance = 0, std::optional<double> until = std::nullopt);
 
  private:
   struct Impl;

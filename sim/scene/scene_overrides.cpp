@@ -57,23 +57,6 @@ const json& template_document() {
   return document;
 }
 
-/// "bodies[0].mesh" and "bodies.0.mesh" to {"bodies", "0", "mesh"}; empty if any segment is empty.
-std::vector<std::string> segments_of(const std::string& key) {
-  std::vector<std::string> segments(1);
-  for (const char c : key) {
-    if (c == '.' || c == '[') {
-      segments.emplace_back();
-    } else if (c != ']') {
-      segments.back() += c;
-    }
-  }
-  for (const std::string& segment : segments) {
-    if (segment.empty()) return {};
-  }
-  if (template_document()["bodies"][0].contains(segments.front())) segments.insert(segments.begin(), {"bodies", "0"});
-  return segments;
-}
-
 /// The keys of an object, and with `path` those of the objects in it: "solver.iterations".
 void collect_keys(const json& object, const std::string& path, std::vector<std::string>& keys) {
   for (const auto& item : object.items()) {
@@ -190,6 +173,22 @@ json value_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::vector<std::string> segments_of(const std::string& key) {
+  std::vector<std::string> segments(1);
+  for (const char c : key) {
+    if (c == '.' || c == '[') {
+      segments.emplace_back();
+    } else if (c != ']') {
+      segments.back() += c;
+    }
+  }
+  for (const std::string& segment : segments) {
+    if (segment.empty()) return {};
+  }
+  if (template_document()["bodies"][0].contains(segments.front())) segments.insert(segments.begin(), {"bodies", "0"});
+  return segments;
+}
 
 void apply_overrides(json& document, const std::vector<std::string>& overrides, DocumentOrigin& origin) {
   constexpr std::string_view kGrab = "--grab ", kInstrument = "--instrument ";

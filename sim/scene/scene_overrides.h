@@ -8,6 +8,9 @@
 
 namespace fascia {
 
+/// "bodies[0].mesh", "bodies.0.mesh" and "mesh" to {"bodies", "0", "mesh"}; empty if any segment is empty.
+std::vector<std::string> segments_of(const std::string& key);
+
 /// KEY is a dotted path ("bodies.0.materials.2.young_modulus", "gravity.1"; "bodies[0].mesh", as errors print it, is
 /// accepted too). A KEY that starts with a key of bodies (materials, fixed, transform...) means body 0. VALUE is JSON,
 /// or else a text. Missing objects, list elements at the end, and vectors (from their defaults) are created. A

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/window/observer.h"
+#include "base/file.h"
 #include "tests/support/headless_stage.h"
 
 using namespace fascia;
@@ -57,6 +58,30 @@ TEST_CASE("plots get a sample of each measurement with its step, unless they are
   plots.held = true;
   desk.measure();
   CHECK(plots.history.all().size() == 1);
+}
+
+TEST_CASE("measured curves are drawn in the plots, at their point") {
+  Desk desk;
+  Plots& plots = desk.stage.state.plots;
+  plots.shown = true;
+  desk.measure();
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& content) {
+    write_file(folder / "a.csv", content);
+    return folder / "a.csv";
+  };
+  desk.observer.show_measured(file("# Probe: vertex 5\ntime_ms,probe_y_mm,reaction_y_N\n0,1,2\n100,2,3\n"));
+  CHECK(plots.probe == 5u);
+  CHECK(plots.history.all().empty());
+  REQUIRE(plots.measured.size() == 2);
+  CHECK(plots.measured[1].probe.y() == Approx(2e-3));
+  CHECK(plots.measured[1].reaction.y() == 3);
+  CHECK(plots.measured_between(0.05, 0.06).size() == 2);
+  CHECK_THROWS_WITH(desk.observer.show_measured(file("probe_y_mm\n1\n")),
+                    Catch::Contains("has no curve over time that the plots show"));
+  CHECK(plots.measured.size() == 2);
+  plots.forget();
+  CHECK(plots.measured.empty());
 }
 
 TEST_CASE("a click chooses the vertex of the plots while the choice is open") {

@@ -50,6 +50,32 @@ TEST_CASE("an affine motion of the surface is affine inside, with the energy and
   }
 }
 
+TEST_CASE("an equilibrium at a time has the motions of that time, from rest as from an earlier one", "[static]") {
+  Model model = box_model(3, 3, 3, cube, soft(1e5, 0.3), left_end);
+  Motion motion;
+  motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.1 - 1e-9; });
+  motion.translate = {0.02, 0.01, 0};
+  motion.start = 1;
+  motion.duration = 2;
+  model.motions = {motion};
+  Model ended = model;
+  ended.motions[0].translate *= 0.75;
+  State expected = initial_state(model), straight = expected, stepped = expected;
+  REQUIRE(settle(ended, expected).converged);
+  NewtonSolver solver(model, {});
+  REQUIRE(solver.solve_static(straight, 0, 2.5).converged);
+  for (const double time : {0.0, 1.5, 2.5}) {
+    REQUIRE(solver.solve_static(stepped, 0, time).converged);
+    CHECK(stepped.time == time);
+  }
+  for (const State* state : {&straight, &stepped}) {
+    CHECK(state->time == 2.5);
+    CHECK((test::flat(state->displacement) - test::flat(expected.displacement)).norm() < 1e-9);
+  }
+  REQUIRE(solver.solve_static(straight).converged);
+  CHECK(straight.time == 3);
+}
+
 TEST_CASE("a surface turned once around and moved carries the body along unstrained", "[static]") {
   Model model = box_model(3, 3, 3, cube, soft(1e5, 0.45));
   Motion motion;

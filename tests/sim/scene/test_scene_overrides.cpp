@@ -1,4 +1,5 @@
 // --set: the keys that it changes and creates, and that its errors differ from the file's.
+#include "sim/scene/scene_overrides.h"
 #include "tests/sim/scene/scene_test.h"
 
 using namespace fascia;
@@ -72,6 +73,15 @@ TEST_CASE("an override creates keys that the file does not have") {
 
 TEST_CASE("a path may be written in the form of errors") {
   CHECK(with({"bodies[0].transform.translate[1]=2"}).bodies[0].transform.translate == Eigen::Vector3d(0, 2, 0));
+}
+
+TEST_CASE("a key is a path from the top of the scene") {
+  const std::vector<std::string> mesh{"bodies", "0", "mesh"};
+  CHECK(segments_of("bodies[0].mesh") == mesh);
+  CHECK(segments_of("bodies.0.mesh") == mesh);
+  CHECK(segments_of("mesh") == mesh);
+  CHECK(segments_of("gravity.1") == std::vector<std::string>{"gravity", "1"});
+  CHECK(segments_of("gravity..1").empty());
 }
 
 TEST_CASE("the last override wins") {

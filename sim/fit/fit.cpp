@@ -1,0 +1,259 @@
+#include "sim/fit/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "base/error.h"
+#include "base/suggest.h"
+#include "base/text.h"
+#include "sim/fit/in_parallel.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct Stopped {};
+
+double rms(const VectorXd& residuals) {
+  return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
+}
+
+std::string described(const std::vector<Parameter>& parameters, const VectorXd& inner) {
+  std::string text;
+  for (std::size_t p = 0; p < parameters.size(); ++p)
+    text += (p == 0 ? "" : ", ") + parameters[p].key + "=" + number(parameters[p].value(inner[static_cast<Index>(p)]));
+  return text;
+}
+
+// The misfit as Eigen's solver asks for it: at distances from the start, so that its trust region is in units of the
+// inner coordinates.
+class Functor {
+ public:
+  using Scalar = double;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+  using InputType = VectorXd;
+  using ValueType = VectorXd;
+  using JacobianType = MatrixXd;
+
+  Functor(const Misfit& misfit, Misfit::Point start, const FitOptions& options)
+      : misfit_(misfit), options_(options), start_(start.inner), last_(std::move(start)), best_(last_) {}
+
+  int inputs() const { return static_cast<int>(start_.size()); }
+  int values() const { return static_cast<int>(misfit_.value_count()); }
+
+  int operator()(const VectorXd& moved, VectorXd& residuals) {
+    const VectorXd inner = start_ + moved;
+    if (inner == last_.inner) {
+      residuals = last_.residuals;
+      return 0;
+    }
+    std::optional<Misfit::Point> point = misfit_.at(inner);
+    if (options_.stop.stop_requested()) throw Stopped();
+    say(inner, point);
+    if (!point) {
+      constexpr double kRefused = 1e3;  // times the misfit: the solver tries a shorter step
+      residuals = kRefused * (last_.residuals.array().abs() + last_.residuals.norm()).matrix();
+      return 0;
+    }
+    residuals = point->residuals;
+    last_ = std::move(*point);
+    if (last_.residuals.squaredNorm() <= best_.residuals.squaredNorm()) best_ = last_;
+    return 0;
+  }
+  // Called where the last step was accepted.
+  int df(const VectorXd& moved, MatrixXd& rates) {
+    if (start_ + moved != last_.inner) last_ = best_;
+    rates = rates_at(last_);
+    return 0;
+  }
+  const Misfit::Point& best() const { return best_; }
+  const MatrixXd& rates_at(const Misfit::Point& point) {
+    if (rates_.size() == 0 || point.inner != rated_) {
+      rates_ = misfit_.rates(point);
+      rated_ = point.inner;
+    }
+    if (options_.stop.stop_requested()) throw Stopped();
+    return rates_;
+  }
+
+ private:
+  void say(const VectorXd& inner, const std::optional<Misfit::Point>& point) const {
+    if (!options_.say) return;
+    options_.say("simulation " + std::to_string(misfit_.simulations()) + ": " +
+                 (point ? "misfit " + number(rms(point->residuals)) : std::string("does not converge")) + ", " +
+                 described(misfit_.tuned().parameters(), inner));
+  }
+
+  const Misfit& misfit_;
+  const FitOptions& options_;
+  const VectorXd start_;
+  Misfit::Point last_, best_;
+  MatrixXd rates_;  // at rated_
+  VectorXd rated_;
+};
+
+// A number in (0, 1) of the Halton sequence (1960).
+double halton(int index, int base) {
+  double share = 1, sum = 0;
+  for (; index > 0; index /= base) {
+    share /= base;
+    sum += share * (index % base);
+  }
+  return sum;
+}
+
+VectorXd swept(const std::vector<Parameter>& parameters, int index) {
+  constexpr int kPrimes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
+  VectorXd inner(static_cast<Index>(parameters.size()));
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const Parameter& parameter = parameters[p];
+    const double share = halton(index, kPrimes[p % std::size(kPrimes)]);
+    const double middle = parameter.natural(parameter.start);
+    const double reach = parameter.logarithmic ? std::log(10) : std::max(1.0, std::abs(parameter.start));
+    const double low = parameter.bounds ? parameter.natural(parameter.bounds->low) : middle - reach;
+    const double high = parameter.bounds ? parameter.natural(parameter.bounds->high) : middle + reach;
+    inner[static_cast<Index>(p)] = parameter.inner(parameter.from_natural(low + share * (high - low)));
+  }
+  return inner;
+}
+
+Misfit::Point best_of_sweep(const Misfit& misfit, Misfit::Point start, const FitOptions& options) {
+  std::vector<std::optional<Misfit::Point>> points(static_cast<std::size_t>(options.sweep));
+  in_parallel(points.size(), [&](std::size_t i) {
+    if (!options.stop.stop_requested())
+      points[i] = misfit.at(swept(misfit.tuned().parameters(), static_cast<int>(i) + 1));
+  });
+  for (std::optional<Misfit::Point>& point : points)
+    if (point && point->residuals.squaredNorm() < start.residuals.squaredNorm()) start = std::move(*point);
+  if (options.say && options.sweep > 0)
+    options.say("sweep: the best of " + plural(points.size() + 1, "simulation") + " has the misfit " +
+                number(rms(start.residuals)) + ", " + described(misfit.tuned().parameters(), start.inner));
+  return start;
+}
+
+std::string reason_of(Eigen::LevenbergMarquardtSpace::Status status, const FitOptions& options) {
+  using namespace Eigen::LevenbergMarquardtSpace;
+  if (status == TooManyFunctionEvaluation)
+    return "no minimum after " + std::to_string(options.most_simulations) + " simulations";
+  if (status == ImproperInputParameters || status == UserAsked || status == NotStarted)
+    return "the solver did not begin";
+  return "";
+}
+
+// The names of what was measured: "the measurement (reaction_y, probe_y)".
+std::string subject_of(const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const Measurement& measurement : experiment.measurements()) {
+    for (const MeasuredCurve& curve : measurement.curves)
+      if (std::find(names.begin(), names.end(), curve.name) == names.end()) names.push_back(curve.name);
+    if (!measurement.shapes.empty()) names.push_back("shape");
+  }
+  return "the measurement (" + join(names) + ")";
+}
+
+std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point& minimum, const Estimates& estimates,
+                                       const FitOptions& options) {
+  const std::vector<Parameter>& parameters = misfit.tuned().parameters();
+  struct Job {
+    std::size_t profile;
+    VectorXd inner;
+    double value = 0, misfit = std::numeric_limits<double>::quiet_NaN();
+  };
+  std::vector<Job> jobs;
+  for (std::size_t p = 0; p < parameters.size() && options.profile > 0; ++p) {
+    const auto column = static_cast<Index>(p);
+    const double variance = estimates.covariance(column, column);
+    if (!estimates.parameters[p].determined || !(variance > 0)) continue;
+    for (int k = -options.profile; k <= options.profile; ++k) {
+      // Up to three standard errors; the others follow as the covariance says.
+      const double away = 3.0 * k / options.profile * std::sqrt(variance);
+      const VectorXd inner = minimum.inner + away / variance * estimates.covariance.col(column);
+      jobs.push_back({p, inner, parameters[p].value(inner[column])});
+      if (k == 0) jobs.back().misfit = rms(minimum.residuals);
+    }
+  }
+  in_parallel(jobs.size(), [&](std::size_t i) {
+    if (!std::isnan(jobs[i].misfit) || options.stop.stop_requested()) return;
+    if (const auto point = misfit.at(jobs[i].inner)) jobs[i].misfit = rms(point->residuals);
+  });
+  std::vector<MisfitProfile> profiles;
+  for (const Job& job : jobs) {
+    if (profiles.empty() || profiles.back().parameter != job.profile) profiles.push_back({job.profile, {}, {}});
+    profiles.back().values.push_back(job.value);
+    profiles.back().misfits.push_back(job.misfit);
+  }
+  return profiles;
+}
+
+}  // namespace
+
+FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOptions& options) {
+  const Misfit misfit(tuned, experiment);
+  const std::vector<Parameter>& parameters = tuned.parameters();
+  const std::vector<double> start = tuned.start();
+  const auto count = static_cast<Index>(parameters.size());
+  FitResult result;
+  result.scene = tuned.scene();
+  if (misfit.value_count() < count)
+    throw Error("--free",
+                "has " + plural(parameters.size(), "parameter") + " for " +
+                    plural(static_cast<std::size_t>(misfit.value_count()), "measured value"),
+                "expected at least as many values");
+  const auto stopped = [&] {
+    result.interrupted = true;
+    result.reason = "interrupted";
+    return result;
+  };
+  std::optional<Misfit::Point> first = misfit.at(Eigen::Map<const VectorXd>(start.data(), count));
+  if (options.stop.stop_requested()) return stopped();
+  if (!first)
+    throw Error(tuned.scene().file.string(), "does not converge with its own values",
+                "expected a scene that fascia run --reference simulates");
+  result.start_misfit = rms(first->residuals);
+  const double first_norm = first->residuals.norm();
+  if (options.say)
+    options.say("simulation 1: misfit " + number(result.start_misfit) + ", " + described(parameters, first->inner));
+  Functor functor(misfit, best_of_sweep(misfit, std::move(*first), options), options);
+
+  Eigen::LevenbergMarquardt<Functor> solver(functor);
+  solver.parameters.factor = 1.5;  // the first step at most, in inner coordinates
+  solver.parameters.ftol = 1e-6;
+  solver.parameters.xtol = 1e-8;
+  // The cosine between residuals and rates at some 0.03 standard errors from the minimum: nearer is below the noise.
+  solver.parameters.gtol = 0.03 / std::sqrt(static_cast<double>(misfit.value_count()));
+  solver.parameters.maxfev = options.most_simulations;
+  solver.useExternalScaling = true;
+  solver.diag = VectorXd::Ones(count);
+  VectorXd moved = VectorXd::Zero(count);
+  try {
+    result.reason = reason_of(solver.minimize(moved), options);
+    result.converged = result.reason.empty();
+    const Misfit::Point& minimum = functor.best();
+    result.misfit = rms(minimum.residuals);
+    result.simulated = minimum.response.values;
+    result.exact_rates = misfit.exact(minimum);
+    const double magnitude = std::max(result.simulated.cwiseProduct(experiment.scales()).norm(), first_norm);
+    result.estimates = estimate(parameters, {minimum.inner, minimum.residuals, functor.rates_at(minimum),
+                                             options.noise_known, magnitude, subject_of(experiment)});
+    if (options.stop.stop_requested()) return stopped();
+    result.simulations = misfit.simulations();
+    result.scene = tuned.at({minimum.inner.begin(), minimum.inner.end()}).scene;
+    if (result.converged) result.profiles = profiles_of(misfit, minimum, result.estimates, options);
+    result.profile_simulations = misfit.simulations() - result.simulations;
+    if (options.stop.stop_requested()) return stopped();
+  } catch (const Stopped&) {
+    return stopped();
+  }
+  if (result.converged && !result.estimates.determined()) {
+    result.converged = false;
+    result.reason = result.estimates.warnings.front();
+  }
+  return result;
+}
+
+}  // namespace fascia

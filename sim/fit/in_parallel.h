@@ -1,0 +1,36 @@
+// Independent jobs on all cores.
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace fascia {
+
+/// Calls job(0) to job(count - 1), each once. The first exception of a job is thrown after all threads have ended.
+template <class Job>
+void in_parallel(std::size_t count, const Job& job) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) job(i);
+  };
+  const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<std::future<void>> others;
+  for (std::size_t t = 1; t < threads; ++t) others.push_back(std::async(std::launch::async, work));
+  std::exception_ptr failed;
+  const auto keep = [&](const auto& part) {
+    try {
+      part();
+    } catch (...) {
+      if (!failed) failed = std::current_exception();
+      next = count;
+    }
+  };
+  keep(work);
+  for (std::future<void>& other : others) keep([&] { other.get(); });
+  if (failed) std::rethrow_exception(failed);
+}
+
+}  // namespace fascia

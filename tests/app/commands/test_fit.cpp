@@ -1,0 +1,90 @@
+// fascia fit fits what fascia run wrote.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+#include "sim/scene/scene.h"
+#include "tests/support/support.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+const std::string kCube = (source_dir() / "assets/scenes/cube.json").string();
+const std::string kYoung = "materials.default.young_modulus", kPoisson = "materials.default.poisson_ratio";
+
+TEST_CASE("fit finds the values that made a shape, and writes its files", "[fit]") {
+  const TemporaryFolder folder;
+  const std::string shape = (folder / "shape.csv").string(), out = (folder / "out").string();
+  REQUIRE(run_fascia({"run", kCube, "--static", "--reference", "--set", kYoung + "=30000", "--set", kPoisson + "=0.35",
+                      "--export", shape, "--quiet"})
+              .exit_code == 0);
+  const CommandResult result =
+      run_fascia({"fit", kCube, "--static", "--measured", shape, "--free", kYoung + "," + kPoisson, "--out", out});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.out.find(kYoung + "  30000 Pa") != std::string::npos);
+  CHECK(result.out.find("rates by implicit differentiation") != std::string::npos);
+  CHECK(result.err.find("fascia: simulation 2: misfit ") != std::string::npos);
+  const auto json = nlohmann::json::parse(read_file(folder / "out/fit.json"));
+  CHECK(json["parameters"][0]["value"].get<double>() == Approx(30000).epsilon(1e-6));
+  CHECK(json["simulations"].get<int>() <= 12);
+  const Scene fitted = open_scene(folder / "out/scene.json");
+  CHECK(fitted.bodies[0].material.poisson_ratio == Approx(0.35).epsilon(1e-6));
+  CHECK(run_fascia({"run", out + "/scene.json", "--steps", "1", "--reference", "--quiet"}).exit_code == 0);
+  CHECK(std::filesystem::exists(folder / "out/report.html"));
+}
+
+TEST_CASE("fit finds the values that made a history", "[fit]") {
+  const TemporaryFolder folder;
+  const std::string history = (folder / "history.csv").string();
+  const std::string damping = "materials.default.damping";
+  REQUIRE(run_fascia({"run", kCube, "--reference", "--steps", "20", "--set", kYoung + "=30000", "--set",
+                      damping + "=0.03", "--history", history, "--quiet"})
+              .exit_code == 0);
+  const CommandResult result =
+      run_fascia({"fit", kCube, "--set", damping + "=0.02", "--measured", history + ",2", "--free", kYoung, "--free",
+                  damping, "--columns", "reaction,probe", "--profile", "0", "--quiet"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.empty());
+  CHECK(result.out.find(kYoung + "  30000 Pa") != std::string::npos);
+  CHECK(result.out.find("rates by implicit differentiation") != std::string::npos);
+}
+
+TEST_CASE("fit says what is wrong, with its exit code", "[fit]") {
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& name, const std::string& content) {
+    write_file(folder / name, content);
+    return (folder / name).string();
+  };
+  const std::string weight = file("weight.csv", "reaction_y_N\n9.81\n");
+  const auto fit = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"fit", kCube, "--static", "--quiet"});
+    return run_fascia(more);
+  };
+  const CommandResult unit = fit({"--measured", file("unit.csv", "reaction_y_lbf\n1\n"), "--free", kYoung});
+  CHECK(unit.exit_code == 1);
+  CHECK(unit.err.find("unit.csv:1: column reaction_y_lbf has the unit \"lbf\"; expected N, mN, kN") !=
+        std::string::npos);
+  const CommandResult key = fit({"--measured", weight, "--free", "materials.default.young_modulos"});
+  CHECK(key.exit_code == 2);
+  CHECK(key.err.find("--free materials.default.young_modulos: unknown key") != std::string::npos);
+  const CommandResult noise = fit({"--measured", weight, "--free", kYoung, "--noise", "3lbf"});
+  CHECK(noise.exit_code == 2);
+  CHECK(noise.err.find("--noise 3lbf: is no noise; expected a share or an amount") != std::string::npos);
+  const CommandResult prior = fit({"--measured", weight, "--free", kYoung, "--prior", kYoung + "=1e4:1e3"});
+  CHECK(prior.exit_code == 2);
+  CHECK(prior.err.find("expected --noise beside it") != std::string::npos);
+  CHECK(fit({"--measured", weight}).exit_code == 2);
+  CHECK(fit({"--free", kYoung}).exit_code == 2);
+  // Weight alone says nothing about stiffness.
+  const CommandResult undetermined = fit({"--measured", weight, "--free", kYoung});
+  INFO(undetermined.out << undetermined.err);
+  CHECK(undetermined.exit_code == 1);
+  CHECK(undetermined.err.find("not converged: the measurement (reaction_y) does not depend on " + kYoung) !=
+        std::string::npos);
+}
+
+}  // namespace

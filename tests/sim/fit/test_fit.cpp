@@ -1,0 +1,204 @@
+// Round trips: a scene is simulated with known values, noise is added, and the fit finds the values again.
+#include <catch2/catch.hpp>
+
+#include "base/error.h"
+#include "tests/sim/fit/block_scene.h"
+
+namespace fascia {
+namespace {
+
+using test::BlockScene;
+using Kind = Measurand::Kind;
+
+constexpr const char* kYoung = "materials.default.young_modulus";
+constexpr const char* kPoisson = "materials.default.poisson_ratio";
+constexpr const char* kStiff = "materials.stiff.young_modulus";
+constexpr const char* kDamping = "materials.default.damping";
+
+// A vertex at the side of the block's middle, which moves inward as the block is stretched.
+std::uint32_t side_vertex(const Model& model) {
+  std::uint32_t best = 0;
+  const Eigen::Vector3d wanted(test::kBlockLength / 2, 0.04, 0.02);
+  for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
+    if ((model.rest_positions[v] - wanted).norm() < (model.rest_positions[best] - wanted).norm()) best = v;
+  return best;
+}
+
+MeasuredCurve force(int count) { return test::curve_of("support_1_x", {Kind::support, 1, 0}, test::moments(count, 1)); }
+MeasuredCurve narrowing(const Model& model, int count) {
+  return test::curve_of("vertex_y", {Kind::vertex, side_vertex(model), 1}, test::moments(count, 1));
+}
+
+FitResult fitted(const Scene& start, std::vector<Measurement> measurements, const std::vector<std::string>& keys,
+                 bool is_static = true, FitOptions options = {}, const std::vector<Noise>& noise = {}) {
+  const Model model = build_model(start);
+  options.noise_known = !noise.empty();
+  assign_noise(measurements, noise, model);
+  const TunedScene tuned(start, model, parameters_of(start, keys));
+  const Experiment experiment(measurements, is_static, start.duration, {});
+  return fit(tuned, experiment, options);
+}
+
+FitOptions without_profile() {
+  FitOptions options;
+  options.profile = 0;
+  return options;
+}
+
+bool holds(const Estimate& estimate, double value) { return estimate.low <= value && value <= estimate.high; }
+
+TEST_CASE("a force curve gives Young's modulus back", "[fit]") {
+  const BlockScene block;
+  std::vector<Measurement> measured{{"pull.csv", 1, {force(5)}, {}, {}}};
+  test::measure(measured, block.scene({std::string(kYoung) + "=5000"}), true, 0, 1);
+  const FitResult result = fitted(block.scene(), measured, {kYoung});
+  CAPTURE(result.simulations, result.estimates.parameters[0].value);
+  CHECK(result.converged);
+  CHECK(result.exact_rates);
+  CHECK(result.estimates.parameters[0].value == Approx(5000).epsilon(1e-7));
+  CHECK(result.scene.bodies[0].material.young_modulus == Approx(5000).epsilon(1e-7));
+  CHECK(result.simulations <= 12);
+  REQUIRE(result.profiles.size() == 1);
+  const std::vector<double>& misfits = result.profiles[0].misfits;
+  CHECK(std::min_element(misfits.begin(), misfits.end()) - misfits.begin() == FitOptions().profile);
+  CHECK(result.profile_simulations == 2 * FitOptions().profile);
+}
+
+// How many of the intervals of `seeds` fits hold the truth.
+struct Coverage {
+  int young = 0, poisson = 0, failed = 0;
+  long simulations = 0, most = 0;
+};
+Coverage coverage(int seeds, const std::vector<Noise>& noise) {
+  const BlockScene block;
+  const Scene start = block.scene(),
+              truth = block.scene({std::string(kYoung) + "=13000", std::string(kPoisson) + "=0.3"});
+  const Model model = build_model(start);
+  Coverage found;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    std::vector<Measurement> measured{{"pull.csv", 1, {force(8), narrowing(model, 8)}, {}, {}}};
+    test::measure(measured, truth, true, 0.01, static_cast<unsigned>(seed));
+    const FitResult result = fitted(start, measured, {kYoung, kPoisson}, true, without_profile(), noise);
+    found.failed += !result.converged;
+    found.young += holds(result.estimates.parameters[0], 13000);
+    found.poisson += holds(result.estimates.parameters[1], 0.3);
+    found.simulations += result.simulations;
+    found.most = std::max(found.most, result.simulations);
+  }
+  WARN("95 % intervals that hold the truth, of "
+       << seeds << ": Young's modulus " << found.young << ", Poisson's ratio " << found.poisson
+       << "; simulations per fit " << static_cast<double>(found.simulations) / seeds << ", at most " << found.most);
+  return found;
+}
+
+TEST_CASE("intervals from a stretch with lateral contraction cover the truth", "[fit]") {
+  const Coverage found = coverage(12, {});
+  CHECK(found.failed == 0);
+  // Of 12 independent intervals that hold with 0.95, 9 or more do with a probability of 0.9978.
+  CHECK(found.young >= 9);
+  CHECK(found.poisson >= 9);
+  CHECK(found.most <= 12);
+}
+
+TEST_CASE("intervals from a stretch with lateral contraction cover the truth in 95 of 100 seeds", "[fit][slow]") {
+  const std::vector<Noise> noise = GENERATE(std::vector<Noise>{}, std::vector<Noise>{{0.01, true, Dimension::force}});
+  const Coverage found = coverage(100, noise);
+  CHECK(found.failed == 0);
+  // Of 100 independent intervals that hold with 0.95, 89 or more do with a probability of 0.9957.
+  CHECK(found.young >= 89);
+  CHECK(found.poisson >= 89);
+  CHECK(found.most <= 12);
+}
+
+TEST_CASE("two materials from forces and displacements", "[fit]") {
+  const BlockScene block;
+  const Scene truth = block.scene({std::string(kYoung) + "=30000", std::string(kStiff) + "=40000"});
+  const Model model = build_model(truth);
+  std::vector<Measurement> measured{
+      {"pull.csv",
+       1,
+       {force(6), test::curve_of("vertex_x", {Kind::vertex, side_vertex(model), 0}, test::moments(6, 1))},
+       {},
+       {}}};
+  test::measure(measured, truth, true, 0.01, 7);
+  const FitResult result = fitted(block.scene(), measured, {kYoung, kStiff});
+  CAPTURE(result.simulations, result.estimates.parameters[0].value, result.estimates.parameters[1].value);
+  CHECK(result.converged);
+  CHECK(holds(result.estimates.parameters[0], 30000));
+  CHECK(holds(result.estimates.parameters[1], 40000));
+  CHECK(result.simulations <= 12);
+}
+
+TEST_CASE("damping and stiffness from a released beam", "[fit]") {
+  const BlockScene beam(R"("young_modulus": 20000, "poisson_ratio": 0.3, "damping": 0.01)", R"("duration": 0.6, )", "");
+  const Scene truth = beam.scene({std::string(kYoung) + "=26000", std::string(kDamping) + "=0.02"});
+  const Model model = build_model(truth);
+  const auto tip = static_cast<std::uint32_t>(model.rest_positions.size() - 1);
+  std::vector<Measurement> measured{
+      {"swing.csv", 1, {test::curve_of("vertex_y", {Kind::vertex, tip, 1}, test::moments(40, 0.6))}, {}, {}}};
+  test::measure(measured, truth, false, 0.01, 3);
+  const FitResult result = fitted(beam.scene(), measured, {kYoung, kDamping}, false);
+  CAPTURE(result.simulations, result.estimates.parameters[0].value, result.estimates.parameters[1].value);
+  CHECK(result.converged);
+  CHECK(result.exact_rates);
+  CHECK(result.simulations <= 12);
+  CHECK(result.estimates.parameters[0].value == Approx(26000).epsilon(0.02));
+  CHECK(result.estimates.parameters[1].value == Approx(0.02).epsilon(0.1));
+  CHECK(holds(result.estimates.parameters[0], 26000));
+}
+
+TEST_CASE("what a measurement cannot tell is named", "[fit]") {
+  const BlockScene block;
+  const Scene truth = block.scene();
+  // Only the ratio of the moduli shapes a stretched block that carries no load of its own.
+  const Model model = build_model(truth);
+  std::vector<Measurement> measured{
+      {"shape.csv",
+       1,
+       {test::curve_of("vertex_x", {Kind::vertex, side_vertex(model), 0}, test::moments(6, 1))},
+       {},
+       {}}};
+  const Scene weightless = block.scene({"gravity=[0,0,0]"});
+  test::measure(measured, weightless, true, 0.01, 7);
+  const FitResult result = fitted(weightless, measured, {kYoung, kStiff});
+  REQUIRE(!result.converged);
+  CAPTURE(result.reason);
+  CHECK(result.reason.find("cannot tell " + std::string(kYoung) + " from " + kStiff) != std::string::npos);
+  CHECK(!result.estimates.parameters[0].determined);
+  CHECK(result.reason.find("the measurement (vertex_x)") != std::string::npos);
+
+  const FitResult density = fitted(weightless, measured, {"materials.default.density"});
+  CHECK(density.reason.find("does not depend on materials.default.density") != std::string::npos);
+}
+
+TEST_CASE("a sweep finds a far start", "[fit]") {
+  const BlockScene block;
+  std::vector<Measurement> measured{{"pull.csv", 1, {force(3)}, {}, {}}};
+  test::measure(measured, block.scene({std::string(kYoung) + "=150000", "materials.stiff.young_modulus=200000"}), true,
+                0, 1);
+  FitOptions options;
+  options.sweep = 8;
+  std::vector<std::string> lines;
+  options.say = [&](const std::string& line) { lines.push_back(line); };
+  const FitResult result =
+      fitted(block.scene({"materials.stiff.young_modulus=200000"}), measured, {kYoung}, true, options);
+  CHECK(result.estimates.parameters[0].value == Approx(150000).epsilon(1e-6));
+  CHECK(lines.size() >= 3);
+  CHECK(lines[1].starts_with("sweep: the best of 9 simulations"));
+}
+
+TEST_CASE("a fit that is stopped says so, and one of too few values is refused", "[fit]") {
+  const BlockScene block;
+  std::vector<Measurement> measured{{"pull.csv", 1, {force(1)}, {}, {}}};
+  test::measure(measured, block.scene(), true, 0, 1);
+  FitOptions options;
+  std::stop_source stop;
+  stop.request_stop();
+  options.stop = stop.get_token();
+  CHECK(fitted(block.scene(), measured, {kYoung}, true, options).interrupted);
+  CHECK_THROWS_WITH(fitted(block.scene(), measured, {kYoung, kPoisson}),
+                    "--free: has 2 parameters for 1 measured value; expected at least as many values");
+}
+
+}  // namespace
+}  // namespace fascia
