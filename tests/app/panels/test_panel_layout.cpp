@@ -7,25 +7,17 @@
 #include <string>
 
 #include "app/compare/split_view.h"
-#include "app/overlay/overlay.h"
-#include "app/panels/panels.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
-#include "tests/support/headless.h"
-#include "tests/support/support.h"
+#include "tests/app/panels/desk.h"
 
 using namespace fascia;
 using namespace fascia::test;
 
 namespace {
 
-/// A session and panels over pictures of changing size.
-struct Desk {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay{graphics};
-  Session session{graphics, open_scene(source_dir() / "assets/scenes/cube.json"), false};
-  WindowState state;
-
+/// Over pictures of changing size.
+struct LayoutDesk : Desk {
   void frame(int width, int height, const std::function<void()>& draw) {
     Framebuffer framebuffer(width, height, 1);
     overlay.draw_headless(session, framebuffer, false, std::nullopt, {}, draw);
@@ -49,7 +41,7 @@ struct Desk {
 }  // namespace
 
 TEST_CASE("the panel Plots keeps its place at the edge when the window shrinks and grows", "[panel_layout]") {
-  Desk desk;
+  LayoutDesk desk;
   desk.state.plots.shown = true;
   desk.show_plots(1280, 720);
   const std::array<float, 4> docked = desk.place();
@@ -75,7 +67,7 @@ TEST_CASE("the panel Plots keeps its place at the edge when the window shrinks a
 }
 
 TEST_CASE("docked plots leave room for the tissue, and the picture knows what they cover", "[panel_layout]") {
-  Desk desk;
+  LayoutDesk desk;
   desk.state.plots.shown = true;
   for (const auto& [width, height] : {std::pair(1280, 720), {1000, 700}, {800, 600}})
     for (const float gallery : {0.0f, 150.0f}) {
@@ -95,7 +87,7 @@ TEST_CASE("docked plots leave room for the tissue, and the picture knows what th
 }
 
 TEST_CASE("every panel is on a tab or above the tabs, and its tab is inside the column", "[panel_layout]") {
-  Desk desk;
+  LayoutDesk desk;
   for (int frame = 0; frame < 2; ++frame)
     desk.frame(800, 600, [&] {
       Requests requests;
@@ -114,7 +106,7 @@ TEST_CASE("every panel is on a tab or above the tabs, and its tab is inside the 
 }
 
 TEST_CASE("the list of keys is inside the picture, at any size", "[panel_layout]") {
-  Desk desk;
+  LayoutDesk desk;
   desk.state.show_help = true;
   for (const auto& [width, height] : {std::pair(1280, 720), {800, 600}, {480, 360}}) {
     for (int frame = 0; frame < 3; ++frame) desk.frame(width, height, [&] { draw_help(desk.state); });
@@ -128,7 +120,7 @@ TEST_CASE("the list of keys is inside the picture, at any size", "[panel_layout]
 }
 
 TEST_CASE("labels over the picture are beside docked plots", "[panel_layout]") {
-  Desk desk;
+  LayoutDesk desk;
   desk.frame(1280, 720, [&] {
     const Room room = room_beside_panels(desk.state);
     CHECK(room.left == panel_space());
@@ -153,7 +145,7 @@ TEST_CASE("labels over the picture are beside docked plots", "[panel_layout]") {
 }
 
 TEST_CASE("a value does not touch its slider", "[panel_layout]") {
-  Desk desk;
+  LayoutDesk desk;
   desk.frame(1280, 720, [&] {
     ImGui::SetNextWindowSize({panel_width(), 300});
     ImGui::Begin("row");

@@ -1,22 +1,14 @@
 // Charts over time as pictures.
 #include <catch2/catch.hpp>
 
-#include "app/overlay/overlay.h"
-#include "app/panels/panels.h"
-#include "tests/support/headless.h"
-#include "tests/support/support.h"
+#include "tests/app/panels/desk.h"
 
 using namespace fascia;
 using namespace fascia::test;
 
 namespace {
 
-struct Desk {
-  Graphics graphics = open_graphics(headless(), false);
-  Overlay overlay{graphics};
-  Session session{graphics, open_scene(source_dir() / "assets/scenes/cube.json"), false};
-  WindowState state;
-
+struct PlotDesk : Desk {
   Image plotted() {
     Image picture;
     for (int frame = 0; frame < 3; ++frame) {  // until sizes that depend on the frame before have settled
@@ -44,7 +36,7 @@ double different_pixels(const Image& a, const Image& b) { return difference(a, b
 }  // namespace
 
 TEST_CASE("measured samples are drawn beside the simulated ones, and charts without any stay as they are", "[plots]") {
-  Desk desk;
+  PlotDesk desk;
   WindowState& state = desk.state;
   state.plots.shown = true;
   for (int i = 0; i <= 200; ++i) state.plots.history.add(sample_at(0.01 * i, 1));

@@ -48,7 +48,7 @@ TEST_CASE("sliders act on the next step without new buffers or programs", "[gpu]
   CHECK(relative_rms(solver.download().displacement, other.download().displacement) == 0);
 }
 
-// Of 689 if every pass bound all its buffers.
+// Of nearly 700 if every pass bound all its buffers.
 TEST_CASE("buffers that stay at their binding points are not bound again", "[gpu]") {
   Gpu gpu(gl::LoadPath::storage);
   GpuSolver solver(gpu.programs, bar(), with(SolverChoice{Method::two_level, Acceleration::subspace}));

@@ -233,10 +233,11 @@ TEST_CASE("bodies collide on the GPU as in the reference, step by step from the 
 }
 
 // It lands on an edge and tips: what presses changes in every step. An eighth of the way of a step; with 20 iterations
-// 0.6 % on llvmpipe and 1.1 % on an H100, which rounds differently.
+// 0.6 % on llvmpipe and 1.1 % on an H100, whose other rounding lets other points touch first.
 TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
   test::Gpu gpu;
-  const auto [iterations, largest_error] = GENERATE(std::pair(10, 0.125), std::pair(20, 0.02));
+  const auto [iterations, largest_error] =
+      GENERATE(std::pair(10, 0.125), std::pair(20, gl::device().software ? 0.01 : 0.02));
   Model model = cube(0.2, 6, soft(2e4));
   for (Vector3d& v : model.initial_velocity) v = {0.3, -1.5, 0};
   model.tools = {tool("ground", PlaneShape{{0, -0.012, 0}, {0.1, 1, 0}}, 0.5)};
