@@ -74,13 +74,14 @@ class Flattener {
 
   void declare(const std::string& code, const std::string& where) {
     static const std::regex declaration(
-        "\\b(INPUT_VEC4_IN_PLACE|INPUT_VEC4|INPUT_UVEC4|INPUT_FLOAT|INPUT_UINT|OUTPUT|INOUT)\\s*\\(\\s*([^)]*?)\\s*"
+        "\\b(INPUT_VEC4_IN_PLACE|INPUT_VEC4|INPUT_UVEC4|INPUT_FLOAT|INPUT_UINT|OUTPUT|INOUT|COHERENT)\\s*\\(\\s*([^)]*?"
+        ")\\s*"
         "\\)");
     static const std::map<std::string, Texel> kinds = {
         {"INPUT_VEC4", Texel::vec4},   {"INPUT_VEC4_IN_PLACE", Texel::vec4_in_place},
         {"INPUT_UVEC4", Texel::uvec4}, {"INPUT_FLOAT", Texel::float1},
         {"INPUT_UINT", Texel::uint1},  {"OUTPUT", Texel::none},
-        {"INOUT", Texel::none}};
+        {"INOUT", Texel::none},        {"COHERENT", Texel::none}};
     static const std::regex names("(?:(\\w+)\\s*,\\s*)?(\\w+)\\s*,\\s*(\\w+)");  // [type,] Block, name
     for (std::sregex_iterator it(code.begin(), code.end(), declaration), end; it != end; ++it) {
       const std::string macro = (*it)[1], arguments = (*it)[2];

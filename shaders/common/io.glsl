@@ -6,6 +6,7 @@
 //   INPUT_UINT(SlotBegin, slot_begin)        ->  uint b = FETCH1(slot_begin, i);
 //   OUTPUT(vec4, Correction, correction)     ->  correction[i] = ...;
 //   INOUT(vec4, Displacement, displacement)  ->  displacement[i] += ...;
+//   COHERENT(vec4, Partials, partials)       ->  the same, also of other work groups of the dispatch: common/last_group.glsl
 //   INPUT_VEC4_IN_PLACE(Corner, corner)      ->  vec4 u = FETCH_IN_PLACE(corner, i);
 //                                                an input that is the dispatch's own output under another name, for
 //                                                kernels in which no invocation reads the output of another, and each
@@ -33,6 +34,7 @@
 #ifndef FUSED
 #define OUTPUT(type, Block, name) layout(std430) writeonly buffer Block { type name[]; };
 #define INOUT(type, Block, name) layout(std430) buffer Block { type name[]; };
+#define COHERENT(type, Block, name) layout(std430) coherent buffer Block { type name[]; };
 #endif
 // No rule orders the fetch of a texel before a store to the same memory (TEXELS_IN_ORDER), but llvmpipe executes them
 // in order.

@@ -34,7 +34,8 @@ class ShaderFolder {
  public:
   ShaderFolder() {
     std::filesystem::create_directory(folder_ / "common");
-    std::filesystem::copy(source_dir() / "shaders/common/io.glsl", folder_ / "common/io.glsl");
+    for (const char* file : {"common/io.glsl", "common/last_group.glsl"})
+      std::filesystem::copy(source_dir() / "shaders" / file, folder_ / file);
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   const std::filesystem::path& path() const { return folder_.path(); }

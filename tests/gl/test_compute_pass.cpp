@@ -201,6 +201,34 @@ TEST_CASE("dispatches are counted, and empty ones are not made") {
   CHECK(in.visit.read<std::uint32_t>()[64] == 0);
 }
 
+TEST_CASE("the last work group sees what all groups have stored, in every dispatch", "[threads]") {
+  const auto context = test::each_context();
+  ShaderFolder folder;
+  folder.write(
+      "last.comp",
+      "#include \"common/io.glsl\"\nCOHERENT(uint, Part, part)\nINOUT(uint, Sum, sum)\nuniform uint run;\nCOMPUTE_1D\n"
+      "#include \"common/last_group.glsl\"\n"
+      "void main() {\n"
+      "  if (gl_LocalInvocationID.x == 0u) part[gl_WorkGroupID.x] = gl_WorkGroupID.x + run;\n"
+      "  if (!is_last_group() || gl_LocalInvocationID.x > 0u) return;\n"
+      "  uint all = 0u;\n"
+      "  for (uint g = 0u; g < gl_NumWorkGroups.x; ++g) all += part[g];\n"
+      "  sum[0] = all;\n  sum[1] += 1u;\n}\n");
+  ProgramCache programs(folder.path(), LoadPath::storage);
+  constexpr std::uint32_t kGroups = 1000, kRuns = 100;
+  const Buffer part("part", 4 * kGroups), sum("sum", 8), arrivals("arrivals", 4);
+  std::uint32_t run = 0;
+  ComputePass pass(programs.compute("last.comp"), {{"part", &part}, {"sum", &sum}, {"arrivals", &arrivals}},
+                   64 * kGroups, {{"run", 0}});
+  pass.follow("run", run);
+  for (run = 1; run <= kRuns; ++run) {
+    pass.run();
+    CAPTURE(run);
+    REQUIRE(sum.read<std::uint32_t>() == std::vector<std::uint32_t>{kGroups * (kGroups - 1) / 2 + kGroups * run, run});
+    REQUIRE(arrivals.read<std::uint32_t>() == std::vector<std::uint32_t>{0});
+  }
+}
+
 TEST_CASE("the group size of a variant decides the number of groups") {
   const auto context = test::each_context();
   ShaderFolder folder;

@@ -1,7 +1,8 @@
 // Curvature of the elastic energy of quadratic tets along z_f and z_c, as subspace_curvature computes it for linear
 // ones: sums over the tets of l^2 times
 //   V [mean dF_i : d^2 Psi/dF^2 : dF_j + K (mean theta) mean d^2 theta(dF_i, dF_j) + K (mean dtheta(dF_i)) (mean dtheta(dF_j))]
-// and with damping the viscous part. With DEFERRED it computes the terms of the tets that quadratic_force deferred.
+// and with damping the viscous part. With DEFERRED it computes the terms of the tets that quadratic_force deferred. With
+// LAST_GROUP the last work group also does the work of subspace_solve.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "common/step.glsl"
@@ -15,7 +16,17 @@ INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 #ifdef DEFERRED
 OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [quadratic_count] xyz terms of a tet with a guarded point, w 1
 #else
-OUTPUT(vec4, CurvaturePartials, curvature_partials)  // from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
+#ifdef LAST_GROUP
+COHERENT(vec4, DotPartials, dot_partials)
+#define curvature_partials dot_partials
+uniform uint partials;
+#define FINAL 0
+#include "common/last_group.glsl"
+#include "sim/two_level/subspace_step.glsl"
+#else
+OUTPUT(vec4, CurvaturePartials, curvature_partials)
+#endif
+// The partials, from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
 uniform uint quadratic_count, first_partial;
 #ifdef GUARDED_ELSEWHERE
 INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 if not guarded
@@ -97,5 +108,8 @@ void main() {
     sum += terms;
   }
   STORE_PARTIAL(curvature_partials, i + first_partial * PARTIAL_STRIDE, vec4(sum, 0.0))
+#ifdef LAST_GROUP
+  if (is_last_group()) solve_subspace_step(gl_LocalInvocationID.x);
+#endif
 }
 #endif

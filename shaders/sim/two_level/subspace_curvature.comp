@@ -1,7 +1,8 @@
 // Curvature of the elastic energy along z_f and z_c: sums over the pairs of tets of h^2 times
 //   V dF_i : d^2 Psi / dF^2 : dF_j,   and with damping its viscous part.
 // Only the three sums are needed, not the products of the Hessian with the directions. After two_level_correct. With
-// DEFERRED it computes the terms of the tets that elastic_force deferred; the terms of the others and the sums follow.
+// DEFERRED it computes the terms of the tets that elastic_force deferred; the terms of the others and the sums follow. With
+// LAST_GROUP the last work group also does the work of subspace_solve.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "common/step.glsl"
@@ -17,7 +18,17 @@ INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [pairs and single tets] xyz terms of a pair with a guarded tet, w
                                                    // 1
 #else
-OUTPUT(vec4, CurvaturePartials, curvature_partials)  // from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
+#ifdef LAST_GROUP
+COHERENT(vec4, DotPartials, dot_partials)
+#define curvature_partials dot_partials
+uniform uint partials;
+#define FINAL 0
+#include "common/last_group.glsl"
+#include "sim/two_level/subspace_step.glsl"
+#else
+OUTPUT(vec4, CurvaturePartials, curvature_partials)
+#endif
+// The partials, from first_partial on: x z_f H z_f, y z_f H z_c, z z_c H z_c
 uniform uint pair_and_single_count, first_partial;
 #ifdef GUARDED_ELSEWHERE
 INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 if not guarded
@@ -77,5 +88,8 @@ void main() {
     sum += terms;
   }
   STORE_PARTIAL(curvature_partials, i + first_partial * PARTIAL_STRIDE, vec4(sum, 0.0))
+#ifdef LAST_GROUP
+  if (is_last_group()) solve_subspace_step(gl_LocalInvocationID.x);
+#endif
 }
 #endif

@@ -23,6 +23,7 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
       partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + quadratic_.partials)),
       state_("subspace_state", kSubspaceFloats * sizeof(float)) {
+  if (programs.load_path() == gl::LoadPath::storage) arrivals_ = gl::Buffer("arrivals", sizeof(std::uint32_t));
   if (buffers.has_linear()) vertex_tets_ = make_vertex_tets(buffers);
   if (buffers.has_quadratic()) vertex_quadratic_ = make_vertex_quadratic(buffers);
   set_acceleration(programs, buffers, settings);
@@ -78,12 +79,13 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                     {"displacement", &r.buffers.displacement}}));
   append(passes, r.advances(last_step_));
   append(passes, gradient_.passes(r));
-  passes.push_back(objective_sum(r));
-  passes
-      .emplace_back(r.programs.compute("sim/two_level/guess_objective.comp"),
-                    gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
-                    gl::ComputePass::Constants{{"partials", vertices_.partials}})
-      .loops(vertices_.partials + Reduction::kGroup);
+  passes.push_back(objective_sum(r, false));
+  if (!last_group_ends(r))
+    passes
+        .emplace_back(r.programs.compute("sim/two_level/guess_objective.comp"),
+                      gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
+                      gl::ComputePass::Constants{{"partials", vertices_.partials}})
+        .loops(vertices_.partials + Reduction::kGroup);
   passes.push_back(r.over_vertices("sim/two_level/guess_take.comp", {},
                                    {{"gradient", &gradient_.gradient()},
                                     {"last_step", &last_step_},
@@ -163,9 +165,19 @@ Passes TwoLevelMethod::end(const Recording& r) const {
   return passes;
 }
 
-gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r) const {
-  return r.sum_over_vertices("sim/two_level/objective_sum.comp", {},
-                             {{"gradient", &gradient_.gradient()}, {"dot_partials", &partials_}}, vertices_);
+// On GPUs sums end in the dispatch that adds their terms (shaders/common/last_group.glsl).
+bool TwoLevelMethod::last_group_ends(const Recording& r) {
+  return r.programs.load_path() == gl::LoadPath::storage && !r.deferred;
+}
+
+// The last group of the sum also keeps the objective before the first step or, with `final`, takes or reverts the last.
+gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r, bool final) const {
+  gl::ComputePass::Bindings bindings{{"gradient", &gradient_.gradient()}, {"dot_partials", &partials_}};
+  if (!last_group_ends(r))
+    return r.sum_over_vertices("sim/two_level/objective_sum.comp", {}, std::move(bindings), vertices_);
+  bindings.insert(bindings.end(), {{"subspace_state", &state_}, {"arrivals", &arrivals_}});
+  return r.sum_over_vertices("sim/two_level/objective_sum.comp", {{"LAST_GROUP", "1"}, {"FINAL", final ? "1" : "0"}},
+                             std::move(bindings), vertices_, {{"partials", vertices_.partials}});
 }
 
 // A kernel that ends in the sums of sim/two_level/subspace_sums.glsl.
@@ -181,9 +193,10 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                              {{"partials", vertices_.partials}});
 }
 
-// Of pairs of linear tets, or of quadratic ones. `defines` and `bindings`: those that both have.
+// Of pairs of linear tets, or of quadratic ones. `defines` and `bindings`: those that both have. `solve`: the constants
+// of the step that the last group solves, or none.
 Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines defines,
-                                 gl::ComputePass::Bindings bindings) const {
+                                 gl::ComputePass::Bindings bindings, const gl::ComputePass::Constants& solve) const {
   const char* const kernel =
       quadratic ? "sim/quadratic/quadratic_curvature.comp" : "sim/two_level/subspace_curvature.comp";
   const auto over_deferred = [&](const char* which, gl::Defines with, gl::ComputePass::Bindings more) {
@@ -194,7 +207,12 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
   bindings = quadratic ? with_quadratic(std::move(bindings), r.buffers) : with_pairs(std::move(bindings), r.buffers);
   gl::ComputePass::Bindings sums = bindings;
   gl::Defines sum_defines = defines;
-  sums.emplace_back("curvature_partials", &partials_);
+  if (solve.empty()) {
+    sums.emplace_back("curvature_partials", &partials_);
+  } else {
+    sum_defines.emplace_back("LAST_GROUP", "1");
+    sums.insert(sums.end(), {{"dot_partials", &partials_}, {"subspace_state", &state_}, {"arrivals", &arrivals_}});
+  }
   Passes passes;
   if (r.deferred) {
     bindings.emplace_back("guarded_curvature", &guarded);
@@ -202,11 +220,12 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
     sums.emplace_back("guarded_terms", &guarded);
     sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
   }
-  const std::uint32_t first = 3 * vertices_.partials;
-  passes.push_back(quadratic ? r.sum_over_quadratic(kernel, std::move(sum_defines), std::move(sums), quadratic_,
-                                                    {{"first_partial", first + pairs_.partials}})
-                             : r.sum_over_pairs(kernel, std::move(sum_defines), std::move(sums), pairs_,
-                                                {{"first_partial", first}}));
+  gl::ComputePass::Constants constants = solve;
+  constants.emplace_back("first_partial", 3 * vertices_.partials + (quadratic ? pairs_.partials : 0));
+  passes.push_back(
+      quadratic
+          ? r.sum_over_quadratic(kernel, std::move(sum_defines), std::move(sums), quadratic_, std::move(constants))
+          : r.sum_over_pairs(kernel, std::move(sum_defines), std::move(sums), pairs_, std::move(constants)));
   if (!r.deferred) return passes;
   passes.push_back(over_deferred("sim/two_level/guarded_curvature_clear.comp", {}, {{"guarded_curvature", &guarded}}));
   passes.back().loops(0);
@@ -220,19 +239,24 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     if (splits_) bindings.emplace_back("coarse_direction", &coarse_direction_);
     return bindings;
   };
+  const std::uint32_t of_terms = term_partials(r);
+  gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (last) {
-    passes.push_back(objective_sum(r));
+    passes.push_back(objective_sum(r, true));
   } else {
+    constants.emplace_back("curvature_count", pairs_.partials + quadratic_.partials + of_terms);
+    constants.emplace_back("remembers", remembers_ && !first);
     gl::ComputePass::Bindings curvature = with_coarse(
         {{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}});
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
+    const bool solves = last_group_ends(r) && of_terms == 0, quadratic_ends = r.buffers.quadratic_count > 0;
     for (const bool quadratic : {false, true})
       if ((quadratic ? r.buffers.quadratic_count : r.buffers.pair_and_single_count()) > 0)
-        append(passes, this->curvature(r, quadratic, curvature_defines, curvature));
-  }
-  if (!last) {
+        append(passes,
+               this->curvature(r, quadratic, curvature_defines, curvature,
+                               solves && quadratic == quadratic_ends ? constants : gl::ComputePass::Constants{}));
     std::uint32_t next = 3 * vertices_.partials + pairs_.partials + quadratic_.partials;
     for (const EnergyTerm* term : r.terms) {
       if (!term->acts()) continue;
@@ -241,16 +265,12 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       next += term->curvature_partials(r.programs);
     }
   }
-  gl::ComputePass::Bindings solve{{"dot_partials", &partials_}, {"subspace_state", &state_}};
-  gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
-  if (!last) {
-    constants.emplace_back("curvature_count", pairs_.partials + quadratic_.partials + term_partials(r));
-    constants.emplace_back("remembers", remembers_ && !first);
-  }
-  passes
-      .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
-                    std::move(solve), 1, std::move(constants))
-      .loops(vertices_.partials + pairs_.partials + quadratic_.partials + term_partials(r) + 2 * Reduction::kGroup);
+  if (!last_group_ends(r) || (!last && of_terms > 0))
+    passes
+        .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
+                      gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
+                      std::move(constants))
+        .loops(vertices_.partials + pairs_.partials + quadratic_.partials + of_terms + 2 * Reduction::kGroup);
   gl::ComputePass::Bindings update{{"subspace_state", &state_},
                                    {"step_before", &last_step_},
                                    {"iterate", &r.buffers.displacement},

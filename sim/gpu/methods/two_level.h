@@ -52,11 +52,12 @@ class TwoLevelMethod : public StepMethod {
 
  private:
   void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
-  gl::ComputePass objective_sum(const Recording& recording) const;
+  static bool last_group_ends(const Recording& recording);
+  gl::ComputePass objective_sum(const Recording& recording, bool final) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;
-  Passes curvature(const Recording& recording, bool quadratic, gl::Defines defines,
-                   gl::ComputePass::Bindings bindings) const;
+  Passes curvature(const Recording& recording, bool quadratic, gl::Defines defines, gl::ComputePass::Bindings bindings,
+                   const gl::ComputePass::Constants& solve) const;
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
   std::uint32_t term_partials(const Recording& recording) const;  // of the curvatures of external energies
 
@@ -70,6 +71,7 @@ class TwoLevelMethod : public StepMethod {
       coarse_direction_;                      // vec4 [vertex_count]; the two directions of the step
   gl::Buffer last_step_, previous_gradient_;  // vec4 [vertex_count]
   gl::Buffer partials_, state_;               // partials_: vec4, three sums over the vertices and one over the tets
+  gl::Buffer arrivals_;                       // uint, of shaders/common/last_group.glsl; on GPUs
   gl::Buffer guarded_curvature_;      // vec4 [pairs and single tets], with deferred ones: their terms of the curvature
   gl::Buffer guarded_quadratic_;      // vec4 [quadratic_count] the same
   std::optional<Anderson> anderson_;  // of the sweeps; its results are in fine_direction_

@@ -53,3 +53,20 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
   CHECK_FALSE(buffers.contains("displacement_low"));
   CHECK_FALSE(buffers.contains("multiplier"));
 }
+
+TEST_CASE("dispatches of a step by storage blocks, as on graphics cards", "[counts]") {
+  CommonOptions options = headless();
+  options.loads = "ssbo";
+  Graphics graphics = open_graphics(options, false);
+  const auto dispatches = [&](const std::string& scene, const std::vector<std::string>& settings) {
+    Simulation simulation(open_scene(source_dir() / "assets/scenes" / (scene + ".json"), settings),
+                          graphics.programs.get(), false);
+    simulation.gpu()->step();
+    return simulation.gpu()->dispatches_per_step();
+  };
+  // 7 of each of ten iterations, and 13 before and after them: sums end in the dispatches that add their terms.
+  CHECK(dispatches("liver", {}) == 83);
+  CHECK(dispatches("liver", {"solver.iterations=4"}) == 83 - 6 * 7);
+  CHECK(dispatches("liver", {"elements=quadratic"}) == 83);
+  CHECK(dispatches("liver", {"solver.acceleration=none"}) == 83);
+}
