@@ -99,13 +99,13 @@ void measure_pairs(Bench& bench, const Model& model, const DeviceSpeed& device, 
 }
 
 // Measures the kernels of a step, with the default choice.
-void measure_kernels(Bench& bench, const Model& model, Table& table) {
+void measure_kernels(Bench& bench, const Model& model, const DeviceSpeed& device, Table& table) {
   GpuSolver solver(*bench.graphics.programs, model, settings_of(solver_choices().front()));
   const State start = bent_beam(model);
   std::map<std::string, std::vector<double>> times;
   std::vector<double> whole;
   warm_up([&] { solver.step(); });
-  std::map<std::string, GpuSolver::KernelTime> last;
+  std::map<std::string, KernelTime> last;
   for (int turn = 0; turn <= repetitions_for(bench, model.tets.size()); ++turn) {
     bench.stop_if_interrupted();
     solver.upload(start);
@@ -116,14 +116,30 @@ void measure_kernels(Bench& bench, const Model& model, Table& table) {
     solver.upload(start);
     if (const double ms = milliseconds_of([&] { solver.step(); }); turn > 0) whole.push_back(ms);
   }
-  // On GPUs the difference to the sum of the kernels is gaps between them; fused passes are separate programs.
-  times["the whole step, untimed"] = std::move(whole);
-  last["the whole step, untimed"].runs = 1;
+  const double whole_ms = spread_of(std::move(whole)).median;
+  double sum_ms = 0, sum_bytes = 0;
+  int sum_runs = 0;
+  const auto add = [&](const std::string& kernel, int runs, double bytes, double ms) {
+    std::vector<Cell> row{model.tets.size(), kernel, runs, ms,
+                          1e6 * ms / static_cast<double>(std::max(runs, 1)) / static_cast<double>(model.tets.size())};
+    if (bytes > 0) {
+      const double gigabytes_per_s = 1e-6 * bytes / ms;
+      row.insert(row.end(), {bytes / runs, gigabytes_per_s, gigabytes_per_s / device.copy_gigabytes_per_s});
+    } else {
+      row.resize(row.size() + 3);
+    }
+    table.rows.push_back(std::move(row));
+  };
   for (auto& [kernel, values] : times) {
     const double ms = spread_of(std::move(values)).median;
-    table.rows.push_back({model.tets.size(), kernel, last[kernel].runs, ms,
-                          1e6 * ms / static_cast<double>(last[kernel].runs * model.tets.size())});
+    add(kernel, last[kernel].runs, last[kernel].bytes, ms);
+    sum_ms += ms;
+    sum_bytes += last[kernel].bytes;
+    sum_runs += last[kernel].runs;
   }
+  add("the whole step, untimed", 1, sum_bytes, whole_ms);
+  // Of a GPU, on which a pass waits for the one before it. Software renderers run fused programs of several kernels.
+  if (gl::device().timestamp_bits > 0) add("gaps between kernels", sum_runs, 0, std::max(0.0, whole_ms - sum_ms));
 }
 
 // Measures the time from a file to the first steps and pictures, once.
@@ -173,9 +189,13 @@ std::vector<SpeedRow> bench_speed(Bench& bench) {
           std::to_string(bench.options.width) + "x" + std::to_string(bench.options.height) + " pixels"};
   meshes.columns = {"tets",     "vertices", "file_bytes", "read_ms",   "open_ms",
                     "first_ms", "step_ms",  "draw_ms",    "gpu_bytes", "resident_bytes"};
-  kernels.notes = {"one step with " + name_of(solver_choices().front()) + "; ms: of all runs of the step, median; " +
-                   (gl::device().timestamp_bits == 0 ? "every pass waited for" : "between timestamps of the device")};
-  kernels.columns = {"tets", "kernel", "runs", "ms", "ns_per_tet_run"};
+  kernels.notes = {
+      "one step with " + name_of(solver_choices().front()) + "; ms: of all runs of the step, median; " +
+          (gl::device().timestamp_bits == 0 ? "every pass waited for" : "between timestamps of the device"),
+      "bytes_per_run: every buffer that the kernel uses, once; share_of_copy: of what copying a buffer "
+      "reaches (device.csv)"};
+  kernels.columns = {"tets",          "kernel",          "runs",         "ms", "ns_per_tet_run",
+                     "bytes_per_run", "gigabytes_per_s", "share_of_copy"};
   std::vector<SpeedRow> rows;
   bench.say("speed: the device");
   const DeviceSpeed device = measure_device(*bench.graphics.programs, bench.full_or_quick<std::size_t>(256, 64) << 20);
@@ -186,7 +206,7 @@ std::vector<SpeedRow> bench_speed(Bench& bench) {
     {
       const Model model = box_model(cells);
       measure_pairs(bench, model, device, speed, rows);
-      measure_kernels(bench, model, kernels);
+      measure_kernels(bench, model, device, kernels);
     }
     bench.write("speed", speed);
     bench.write("kernels", kernels);

@@ -11,13 +11,13 @@
 
 #include "base/progress.h"
 #include "gl/fused_pass.h"
-#include "gl/timing/stopwatch.h"
 #include "sim/gpu/acceleration/acceleration.h"
 #include "sim/gpu/acceleration/stop_rule.h"
 #include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/integrators/stage.h"
 #include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
+#include "sim/gpu/passes/timed_passes.h"
 #include "sim/gpu/readback/diagnostics.h"
 #include "sim/gpu/readback/state_guard.h"
 #include "sim/gpu/readback/step_snapshot.h"
@@ -36,12 +36,7 @@ class GpuSolver {
 
   /// One frame step of settings.time_step: substeps and their stages, each of predict, iterations, velocity.
   void step();
-  struct KernelTime {
-    double ms = 0;  // of all runs together
-    int runs = 0;
-  };
-  /// A step with separately timed passes, by the names of their kernels. The time between passes, such as that of
-  /// uploads, counts for the next pass.
+  /// A step with separately timed passes, by the names of their kernels.
   std::map<std::string, KernelTime> timed_step();
   void reset();                          // to the initial state
   double time() const { return time_; }  // [s]
@@ -224,8 +219,8 @@ class GpuSolver {
   const StepPasses* passes_ = &whole_;
   bool always_whole_ = false;
   bool fuses_ = false;
-  int before_every_ = 1;            // iterations from one run of `before` to the next
-  gl::Stopwatch* times_ = nullptr;  // during a timed step
+  int before_every_ = 1;          // iterations from one run of `before` to the next
+  TimedPasses* timed_ = nullptr;  // during a timed step
   bool background_held_ = false;
   int background_taken_ = 0;
   double time_ = 0;

@@ -9,26 +9,21 @@ namespace fascia {
 void GpuSolver::run(const Passes& passes) {
   for (const gl::ComputePass& pass : passes) {
     pass.run();
-    if (times_) times_->mark(pass.program().label());
+    if (timed_) timed_->ran(pass);
   }
 }
 
-std::map<std::string, GpuSolver::KernelTime> GpuSolver::timed_step() {
-  gl::Stopwatch stopwatch;
-  times_ = &stopwatch;
+std::map<std::string, KernelTime> GpuSolver::timed_step() {
+  TimedPasses timed;
+  timed_ = &timed;
   try {
     step();
   } catch (...) {
-    times_ = nullptr;
+    timed_ = nullptr;
     throw;
   }
-  times_ = nullptr;
-  std::map<std::string, KernelTime> times;
-  for (const auto& [kernel, ms] : stopwatch.laps()) {
-    times[kernel].ms += ms;
-    ++times[kernel].runs;
-  }
-  return times;
+  timed_ = nullptr;
+  return timed.kernels();
 }
 
 void GpuSolver::look_beside() {
@@ -110,7 +105,7 @@ int GpuSolver::alike_from(int iteration) const {
 
 const GpuSolver::FusedStep* GpuSolver::fused_step() const {
   const std::optional<FusedStep>& fused = passes_ == &whole_ ? whole_fused_ : partial_fused_;
-  return fused && !times_ ? &*fused : nullptr;
+  return fused && !timed_ ? &*fused : nullptr;
 }
 
 void GpuSolver::iterate_all() {
