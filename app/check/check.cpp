@@ -1,9 +1,10 @@
 #include "app/check/check.h"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "app/golden/golden.h"
-#include "app/headless/headless.h"
+#include "app/headless/nudged_run.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 
@@ -30,12 +31,13 @@ std::string judge(const CheckCase& check, const CheckOptions& options) {
   if (const std::vector<std::string> missing = missing_goldens(check.options.goldens());
       !options.update && options.out.empty() && !missing.empty())
     return text_of(json{{"passed", false}, {"lines", missing}});  // with a folder the new picture and state are of use
-  Headless headless(check.options);
-  headless.run();
+  std::optional<Headless> headless(std::in_place, check.options);
+  headless->run();
   if (interrupted())
     throw Error(check.name, "was interrupted", "expected time for all of its steps");  // no results are written
-  const Outcome outcome = headless.outcome();
-  if (options.update) return text_of(json{{"lines", update_goldens(outcome, check.options.goldens())}});
+  const Outcome outcome = headless->outcome();
+  headless.reset();
+  if (options.update) return text_of(json{{"lines", renew_goldens(check.options, outcome)}});
   const Comparison comparison = compare(outcome, check.options.goldens(), check.options.limits);
   json found{{"passed", comparison.passed()}, {"lines", json::array()}};
   for (const Finding& finding : comparison.findings)
@@ -45,14 +47,17 @@ std::string judge(const CheckCase& check, const CheckOptions& options) {
   if (comparison.share) found["share"] = *comparison.share;
   if (comparison.deviation) found["deviation"] = *comparison.deviation;
   if (comparison.contact) found["contact"] = *comparison.contact;
+  found["limits"] = {comparison.limits.mean, comparison.limits.share, comparison.limits.state,
+                     comparison.limits.contact};
   if (!comparison.passed() && !options.out.empty()) keep_failure(options, check, outcome, comparison);
   return text_of(found);
 }
 
-CheckResult result_of(const ChildReport& report, bool update) {
+CheckResult result_of(const ChildReport& report, bool update, const GoldenLimits& limits) {
   using Verdict = CheckResult::Verdict;
   CheckResult result;
   result.said = report.said;
+  result.limits = limits;
   if (!report.failure.empty()) {
     result.lines = {report.failure};
     return result;
@@ -67,6 +72,10 @@ CheckResult result_of(const ChildReport& report, bool update) {
   number("share", result.share);
   number("deviation", result.deviation);
   number("contact", result.contact);
+  if (found.contains("limits")) {
+    const auto widened = found["limits"].get<std::array<double, 4>>();
+    result.limits = {widened[0], widened[1], widened[2], widened[3]};
+  }
   return result;
 }
 
@@ -76,7 +85,8 @@ fs::path new_picture(const fs::path& out, const CheckCase& check) { return out /
 fs::path new_state(const fs::path& out, const CheckCase& check) { return out / (check.name + ".new.csv"); }
 fs::path difference(const fs::path& out, const CheckCase& check) { return out / (check.name + ".diff.png"); }
 
-CheckRun::CheckRun(const CheckCase& check, const CheckOptions& options) : update_(options.update) {
+CheckRun::CheckRun(const CheckCase& check, const CheckOptions& options)
+    : update_(options.update), limits_(check.options.limits) {
   CheckCase made = check;
   made.options.context = options.context;
   made.options.loads = options.loads;
@@ -100,7 +110,7 @@ bool CheckRun::ended(int wait_ms) {
 }
 
 CheckResult CheckRun::result() const {
-  CheckResult result = result_of(child_->report(), update_);
+  CheckResult result = result_of(child_->report(), update_, limits_);
   result.seconds = seconds_;
   return result;
 }

@@ -28,6 +28,7 @@ struct CheckResult {
   Verdict verdict = Verdict::error;
   std::vector<std::string> lines;                         // findings, or updates
   std::optional<double> mean, share, deviation, contact;  // as in GoldenLimits; absent: not compared
+  GoldenLimits limits;                                    // of the comparison
   double seconds = 0;
   std::string said;
 };
@@ -42,6 +43,7 @@ class CheckRun {
  private:
   using Clock = std::chrono::steady_clock;
   bool update_;
+  GoldenLimits limits_;  // those of the options
   Clock::time_point start_ = Clock::now();
   double seconds_ = 0;
   std::unique_ptr<ChildProcess> child_;

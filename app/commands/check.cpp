@@ -74,8 +74,8 @@ struct Value {
   std::optional<double> measured;
   double allowed;
 };
-std::vector<Value> values_of(const CheckCase& check, const CheckResult& result) {
-  const GoldenLimits& limits = check.options.limits;
+std::vector<Value> values_of(const CheckResult& result) {
+  const GoldenLimits& limits = result.limits;
   return {{"mean", result.mean, limits.mean},
           {"share", result.share, limits.share},
           {"state", result.deviation, limits.state},
@@ -92,7 +92,7 @@ JunitCase junit_case(const CheckCase& check, const CheckResult& result) {
                                                     : JunitCase::Verdict::passed;
   if (!result.lines.empty()) made.message = result.lines.front();
   for (const std::string& line : result.lines) made.details += line + '\n';
-  for (const Value& v : values_of(check, result)) {
+  for (const Value& v : values_of(result)) {
     if (!v.measured) continue;
     made.properties.emplace_back(std::string(v.name) + "_measured", *v.measured);
     made.properties.emplace_back(std::string(v.name) + "_allowed", v.allowed);
@@ -103,7 +103,7 @@ JunitCase junit_case(const CheckCase& check, const CheckResult& result) {
 ReportCase report_case(const CheckCase& check, const CheckResult& result, const std::string& out) {
   ReportCase made{check.name, name_of(result.verdict), is_good(result), result.seconds, {}, result.lines,
                   "golden",   check.options.compare};
-  for (const Value& v : values_of(check, result))
+  for (const Value& v : values_of(result))
     if (v.measured) made.values.push_back({v.name, *v.measured, v.allowed});
   if (made.good || out.empty()) return made;
   std::error_code none;

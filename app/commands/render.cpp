@@ -8,7 +8,7 @@
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/golden/tolerance.h"
-#include "app/headless/headless.h"
+#include "app/headless/nudged_run.h"
 #include "app/headless/video_render.h"
 #include "app/overlay/legend_file.h"
 #include "app/session/open_input.h"
@@ -36,7 +36,7 @@ std::vector<OutputFile> outputs_of(const RenderOptions& options) {
 // Returns the exit code.
 int judge(const RenderOptions& options, const Outcome& outcome) {
   if (options.update) {
-    for (const std::string& change : update_goldens(outcome, options.goldens()))
+    for (const std::string& change : renew_goldens(options, outcome))
       if (!options.quiet) std::cerr << "fascia: " << change << '\n';
     return exit_done;
   }
@@ -68,7 +68,8 @@ int render_input(const RenderOptions& options) {
     require_outputs({{"--compare", options.compare, {".png"}, OutputFile::Takes::all_but_foreign},
                      {"--state", options.state, {".csv"}}});
   std::optional<EndAtOnce> opening(std::in_place);
-  Headless headless(options);
+  std::optional<Headless> opened(std::in_place, options);
+  Headless& headless = *opened;
   opening.reset();
   std::vector<std::filesystem::path> inputs = input_files(headless.session().simulation.scene);
   inputs.insert(inputs.end(), {options.compare, options.state});
@@ -111,6 +112,8 @@ int render_input(const RenderOptions& options) {
     if (!options.quiet) std::cerr << "fascia: " << options.out << '\n';
     if (!options.legend_out.empty()) write_legend(options.legend_out, headless.session());
   }
+  video.reset();
+  opened.reset();  // goldens take another run, with another context
   return compares ? judge(options, outcome) : exit_done;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/golden/difference_picture.h"
 #include "app/golden/provenance_difference.h"
+#include "app/golden/sensitivity.h"
 #include "app/golden/tolerance.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -170,8 +171,15 @@ std::vector<std::string> missing_goldens(const GoldenFiles& goldens) {
   return lines;
 }
 
-Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits) {
+Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& given) {
   Comparison comparison;
+  GoldenLimits limits = given;
+  try {
+    limits = widened(given, read_sensitivity(goldens));
+  } catch (const Error& error) {
+    comparison.findings.push_back({false, error.what()});
+  }
+  comparison.limits = limits;
   if (!goldens.picture.empty())
     comparison.findings.push_back(
         finding_of([&] { return compare_picture(outcome, goldens.picture, limits, comparison); }));

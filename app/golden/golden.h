@@ -35,14 +35,16 @@ struct Comparison {
   std::vector<std::string> reasons;  // of a failure: differences in the provenance of golden and outcome
   std::optional<Image> picture;  // golden, outcome and difference side by side, if pictures of one size were compared
   std::optional<double> mean, share, deviation, contact;  // as in GoldenLimits; absent: not comparable
+  GoldenLimits limits;                                    // of the findings
   bool passed() const;
 };
 
 /// One line for each named golden that does not exist. Called before the work whose result is compared.
 std::vector<std::string> missing_goldens(const GoldenFiles& goldens);
 
-/// Forces are compared where the scene has tools and the state's golden has forces beside it. A golden that is missing,
-/// unreadable or of another size or mesh is a finding, not an exception.
+/// The limits are widened by the sensitivity of the goldens (sensitivity.h). Forces are compared where the scene has
+/// tools and the state's golden has forces beside it. A golden that is missing, unreadable or of another size or mesh
+/// is a finding, not an exception.
 Comparison compare(const Outcome& outcome, const GoldenFiles& goldens, const GoldenLimits& limits);
 
 /// Replaces the goldens by the outcome, each through a temporary name, and describes each change in a line. A golden

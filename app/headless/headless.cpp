@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <random>
 #include <sstream>
 
 #include "app/cli/picture_preset.h"
@@ -31,6 +32,17 @@ Opened open_with_display(const RenderOptions& options, const std::string& split 
   return open_input(options, sets);
 }
 
+Opened nudged(Opened opened, double nudge) {
+  if (nudge == 0) return opened;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : opened.model.rest_positions) box.extend(x);
+  const double most = nudge * box.diagonal().norm();
+  std::mt19937 random;  // whose numbers are the same everywhere
+  const auto number = [&] { return 2.0 * random() / std::mt19937::max() - 1; };
+  for (Eigen::Vector3d& x : opened.model.rest_positions) x += most * Eigen::Vector3d(number(), number(), number());
+  return opened;
+}
+
 CameraSettings settings_of(const Camera& camera) { return {camera.eye, camera.target, camera.up, camera.fov_deg}; }
 
 std::vector<GrabMark> marks_of(const Simulation& simulation, const std::optional<Diagnostics>& diagnostics) {
@@ -39,7 +51,8 @@ std::vector<GrabMark> marks_of(const Simulation& simulation, const std::optional
 
 }  // namespace
 
-Headless::Headless(const RenderOptions& options) : Headless(options, open_with_display(options)) {}
+Headless::Headless(const RenderOptions& options, double nudge)
+    : Headless(options, nudged(open_with_display(options), nudge)) {}
 
 Headless::Headless(const RenderOptions& options, Opened opened)
     : options_(options),

@@ -21,8 +21,8 @@ namespace fascia {
 class Headless {
  public:
   /// Opens the input of the options and reports it, unless they are quiet. Throws Error. The options must outlive this
-  /// object.
-  explicit Headless(const RenderOptions& options);
+  /// object. `nudge`: moves the vertices at rest by up to so many sizes of the scene, always the same way.
+  explicit Headless(const RenderOptions& options, double nudge = 0);
 
   /// Makes the steps that the options request, or finds the static equilibrium; ends early when interrupted.
   /// `after_step` also runs at the start. Throws Error if the state diverges.
