@@ -80,4 +80,21 @@ inline double farthest(const State& a, const State& b) {
   return distance;
 }
 
+/// Whether a place is on the side x = 0, by which most boxes are held.
+inline bool at_left_end(const Eigen::Vector3d& x) { return x.x() < 1e-9; }
+
+/// The default settings, at sixty steps a second.
+inline SolverSettings frames() {
+  SolverSettings settings;
+  settings.time_step = 1.0 / 60;
+  return settings;
+}
+
+/// The largest displacement of a vertex [m].
+inline double largest_displacement(const State& state) {
+  double largest = 0;
+  for (const Eigen::Vector3d& u : state.displacement) largest = std::max(largest, u.norm());
+  return largest;
+}
+
 }  // namespace fascia::test

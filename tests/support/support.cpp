@@ -21,6 +21,9 @@ std::string slurp(const std::filesystem::path& path) {
 
 std::filesystem::path test_dir() { return FASCIA_TEST_DIR; }
 std::filesystem::path source_dir() { return FASCIA_SOURCE_DIR; }
+std::string cube_path() { return (source_dir() / "assets/scenes/cube.json").string(); }
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::vector<std::string> context_names() {
   if (const char* only = std::getenv("FASCIA_TEST_CONTEXT")) return {only};

@@ -8,6 +8,9 @@ namespace fascia::test {
 
 std::filesystem::path test_dir();    // tests/ in the source tree
 std::filesystem::path source_dir();  // the source tree: assets/, shaders/
+std::string cube_path();             // of assets/scenes/cube.json
+
+bool contains(const std::string& text, const std::string& part);
 
 /// The contexts of the OpenGL tests: OSMesa and EGL, or, with FASCIA_TEST_CONTEXT=egl, only EGL, which prefers a
 /// graphics card.

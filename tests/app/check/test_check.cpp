@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 std::string shipped(const char* scene) { return (source_dir() / "assets/scenes" / scene).string(); }
 
 // Two cubes that pass once they have goldens, and one missing mesh.

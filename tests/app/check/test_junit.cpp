@@ -6,12 +6,6 @@
 
 using namespace fascia;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
-
 TEST_CASE("JUnit XML holds any text") {
   JunitCase c;
   c.name = "a<b>&\"c\"";

@@ -18,8 +18,6 @@ using namespace fascia::test;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 CommandEntry program() {
   Invocation invocation;
   return describe(*make_command_line(invocation));

@@ -23,11 +23,6 @@ using test::CommandResult;
 using test::run_fascia;
 using test::TemporaryFolder;
 
-const std::string& cube() {
-  static const std::string path = (test::source_dir() / "assets/scenes/cube.json").string();
-  return path;
-}
-
 std::string content_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream out;
@@ -72,12 +67,12 @@ TEST_CASE("run checks all of its outputs before the first step", "[outputs]") {
   const TemporaryFolder folder;
   const std::string stats = (folder.path() / "stats.json").string();
   CommandResult result =
-      run_fascia({"run", cube(), "--steps", "2", "--stats", stats, "--export", "/no/such/folder/x.csv"});
+      run_fascia({"run", cube_path(), "--steps", "2", "--stats", stats, "--export", "/no/such/folder/x.csv"});
   CAPTURE(result.err);
   CHECK(result.exit_code == 1);
   CHECK_THAT(result.err, Contains("no such folder"));
   CHECK_FALSE(fs::exists(stats));
-  result = run_fascia({"run", cube(), "--steps", "2", "--export", (folder.path() / "x.stl").string()});
+  result = run_fascia({"run", cube_path(), "--steps", "2", "--export", (folder.path() / "x.stl").string()});
   CHECK(result.exit_code == 2);
   const fs::path mesh = folder.path() / "mesh.msh";
   fs::copy(test::source_dir() / "assets/meshes/cube.msh", mesh);
@@ -130,7 +125,8 @@ TEST_CASE("no input of a scene or a conversion is overwritten", "[outputs]") {
 TEST_CASE("a picture never overwrites the golden that it is compared with", "[outputs]") {
   const TemporaryFolder folder;
   const fs::path golden = folder.path() / "golden.png";
-  const std::vector<std::string> render{"render", cube(), "--steps", "1", "--size", "64x48", "--out", golden.string()};
+  const std::vector<std::string> render{"render", cube_path(), "--steps", "1",
+                                        "--size", "64x48",     "--out",   golden.string()};
   REQUIRE(run_fascia(render).exit_code == 0);
   const std::string before = content_of(golden);
   std::vector<std::string> compare = render;
@@ -140,8 +136,8 @@ TEST_CASE("a picture never overwrites the golden that it is compared with", "[ou
   CAPTURE(result.err);
   CHECK(result.exit_code == 2);
   CHECK(content_of(golden) == before);
-  CHECK(run_fascia({"render", cube(), "--steps", "1", "--out", (folder.path() / "picture.jpg").string()}).exit_code ==
-        2);
+  CHECK(run_fascia({"render", cube_path(), "--steps", "1", "--out", (folder.path() / "picture.jpg").string()})
+            .exit_code == 2);
 }
 
 TEST_CASE("a static equilibrium on the GPU is the reference solver's, unless a tolerance is given", "[outputs]") {
@@ -206,7 +202,7 @@ TEST_CASE("numbers of options are finite, and meaningless ones are refused", "[o
                                                                                          {"--time", "0.001"},
                                                                                          {"--static", "--steps", "3"},
                                                                                          {"--static", "--time", "1"}}) {
-    std::vector<std::string> all{"run", cube()};
+    std::vector<std::string> all{"run", cube_path()};
     all.insert(all.end(), arguments.begin(), arguments.end());
     const CommandResult result = run_fascia(all);
     CAPTURE(arguments, result.err);
@@ -216,7 +212,7 @@ TEST_CASE("numbers of options are finite, and meaningless ones are refused", "[o
 }
 
 TEST_CASE("the solver choice that a single name selects is reported", "[outputs]") {
-  const CommandResult result = run_fascia({"run", cube(), "--steps", "1", "--set", "solver.acceleration=chebyshev",
+  const CommandResult result = run_fascia({"run", cube_path(), "--steps", "1", "--set", "solver.acceleration=chebyshev",
                                            "--set", "materials.default.model=signed_st_venant_kirchhoff"});
   CAPTURE(result.err);
   CHECK(result.exit_code == 0);

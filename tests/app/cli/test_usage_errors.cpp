@@ -18,8 +18,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string cube() { return (source_dir() / "assets/scenes/cube.json").string(); }
-
 // The error message of a wrong command line, which is one line without usage text.
 std::string said(const Words& arguments, const fs::path& folder = ".") {
   const CommandResult result = run_fascia(arguments, folder);
@@ -76,9 +74,9 @@ TEST_CASE("statistics and histories may have any extension except that of anothe
     CHECK_THROWS_AS(require_outputs({{"--stats", (folder / name).string(), {".json"}, Takes::all_but_foreign}}),
                     UsageError);
   }
-  const CommandResult result = run_fascia(
-      {"run", cube(), "--steps", "1", "--quiet", "--context", "osmesa", "--stats", "stats", "--history", "rows.txt"},
-      folder.path());
+  const CommandResult result = run_fascia({"run", cube_path(), "--steps", "1", "--quiet", "--context", "osmesa",
+                                           "--stats", "stats", "--history", "rows.txt"},
+                                          folder.path());
   CAPTURE(result.err);
   CHECK(result.exit_code == 0);
   CHECK(fs::exists(folder / "stats"));
@@ -88,7 +86,7 @@ TEST_CASE("statistics and histories may have any extension except that of anothe
 TEST_CASE("an unknown command is reported, not the word after it", "[usage]") {
   CHECK_THAT(said({"simulate", "x.json"}),
              Contains("simulate: unknown command, perhaps you meant run") && !Contains("x.json"));
-  CHECK_THAT(said({"simulate", cube(), "--steps", "3", "--history", "h.csv"}),
+  CHECK_THAT(said({"simulate", cube_path(), "--steps", "3", "--history", "h.csv"}),
              Contains("simulate: unknown command, perhaps you meant run"));
   CHECK_THAT(said({"simulate"}), Contains("simulate: unknown command, perhaps you meant run"));
   CHECK_THAT(said({"frobnicate", "x.json"}),
@@ -100,7 +98,7 @@ TEST_CASE("an unknown command is reported, not the word after it", "[usage]") {
       said({"bench", "zzz", "--out", "x"}),
       Contains("zzz: unknown command; expected one of figures, accuracy, speed, static, skip, contact, window, fill"));
   CHECK_THAT(said({"bench"}), Contains("fascia bench: no command named; expected one of figures"));
-  CHECK_THAT(said({cube(), "y.json"}), Contains("y.json: not expected here"));  // the first one is a file
+  CHECK_THAT(said({cube_path(), "y.json"}), Contains("y.json: not expected here"));  // the first one is a file
   CHECK_THAT(said({"x.json", "y.json"}), Contains("y.json: not expected here"));
   CHECK_THAT(said({"run", "x.json", "y.json", "--zzzz", "5"}), Contains("y.json: not expected here"));
 }
@@ -112,7 +110,7 @@ TEST_CASE("a usage error is one line without the usage text", "[usage]") {
                                                    {"run", "--steps", "5", "--time", "1"},
                                                    {"render", "--fps", "0"},
                                                    {"render", "--size", "12by7", "--out", "x.png"},
-                                                   {"render", cube()},
+                                                   {"render", cube_path()},
                                                    {"run", "--history-every", "2"},
                                                    {"view", "--samples", "two"},
                                                    {"info"},
@@ -130,7 +128,7 @@ TEST_CASE("a usage error is one line without the usage text", "[usage]") {
 
 TEST_CASE("every mistyped choice and key is suggested, regardless of case and separators", "[usage]") {
   const auto said_of = [](const Words& arguments) {
-    Words all{"render", cube(), "--steps", "0", "--context", "osmesa", "--out", "never.png"};
+    Words all{"render", cube_path(), "--steps", "0", "--context", "osmesa", "--out", "never.png"};
     all.insert(all.end(), arguments.begin(), arguments.end());
     return said(all);
   };
@@ -139,7 +137,7 @@ TEST_CASE("every mistyped choice and key is suggested, regardless of case and se
   CHECK_THAT(said_of({"--color", "Von Mises"}), Contains("perhaps \"von_mises\""));
   CHECK_THAT(said_of({"--color", "VOLUME-RATIO"}), Contains("perhaps \"volume_ratio\""));
   CHECK_THAT(said_of({"--loads", "SSBO"}), Contains("perhaps \"ssbo\""));
-  CHECK_THAT(said({"run", cube(), "--context", "OSMesa"}), Contains("perhaps \"osmesa\""));
+  CHECK_THAT(said({"run", cube_path(), "--context", "OSMesa"}), Contains("perhaps \"osmesa\""));
   CHECK_THAT(said({"stress", "--out", "never", "--model", "StableNeoHookean"}),
              Contains("perhaps \"stable_neo_hookean\""));
   CHECK_THAT(said({"completion", "Fish"}), Contains("perhaps \"fish\""));
@@ -161,7 +159,7 @@ TEST_CASE("every mistyped choice and key is suggested, regardless of case and se
 
 TEST_CASE("a grab of the command line that is off the tissue names its option, not the scene", "[usage]") {
   const auto said_of = [](const std::string& grab) {
-    const CommandResult result = run_fascia({"run", cube(), "--quiet", "--steps", "0", "--grab", grab});
+    const CommandResult result = run_fascia({"run", cube_path(), "--quiet", "--steps", "0", "--grab", grab});
     CHECK(result.exit_code == 1);  // a matter of the scene's tissue, not of the option's form
     return result.err;
   };

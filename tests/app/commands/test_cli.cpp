@@ -19,11 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path& cube() {
-  static const fs::path path = source_dir() / "assets/scenes/cube.json";
-  return path;
-}
-
 // Checks the exit code, and that the error is one line that contains every given text.
 void expect_failure(const std::vector<std::string>& arguments, const std::vector<std::string>& texts,
                     const fs::path& folder = ".", int exit_code = 1) {
@@ -39,7 +34,7 @@ void expect_failure(const std::vector<std::string>& arguments, const std::vector
 }
 
 void expect_refusal(const std::string& set, const std::vector<std::string>& texts) {
-  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--set", set}, texts, ".", 2);
+  expect_failure({"run", cube_path(), "--quiet", "--steps", "1", "--set", set}, texts, ".", 2);
 }
 
 }  // namespace
@@ -50,7 +45,7 @@ TEST_CASE("usage errors exit with 2", "[cli]") {
                                              {"run", "--steps", "-1"},
                                              {"run", "--context", "vulkan"},
                                              {"render", "--size", "12by7"},
-                                             {"render", cube().string()},
+                                             {"render", cube_path()},
                                              {"run", "--every", "2"},
                                              {"render", "--out", "x.png", "--fps", "30"},
                                              {"render", "--out", "x.png", "--slow", "2"},
@@ -74,7 +69,7 @@ TEST_CASE("the number of worker threads changes no bit, with every method", "[cl
     for (const char* threads : {"0", "1", "2"}) {
       const fs::path out = folder / (method + threads + ".csv");
       const CommandResult result =
-          run_command({"/usr/bin/env", std::string("LP_NUM_THREADS=") + threads, FASCIA_BINARY, "run", cube().string(),
+          run_command({"/usr/bin/env", std::string("LP_NUM_THREADS=") + threads, FASCIA_BINARY, "run", cube_path(),
                        "--quiet", "--context", "osmesa", "--steps", "5", "--set", "solver.method=" + method, "--set",
                        "solver.acceleration=anderson_positions", "--set",
                        "materials.default.model=signed_st_venant_kirchhoff", "--export", out.string()});
@@ -90,7 +85,7 @@ TEST_CASE("the number of worker threads changes no bit, with every method", "[cl
 }
 
 TEST_CASE("info reports colors and their balance", "[cli]") {
-  const CommandResult result = run_fascia({"info", cube().string(), "--set", "solver.colors=5"});
+  const CommandResult result = run_fascia({"info", cube_path(), "--set", "solver.colors=5"});
   CAPTURE(result.out);
   CHECK(result.exit_code == 0);
   CHECK(result.out.find("coloring     plain: ") != std::string::npos);
@@ -142,29 +137,27 @@ TEST_CASE("bad input is one line and exit 1, or 2 if the option is wrong", "[cli
   expect_refusal("materials.default.density=-1", {"density"});
   expect_refusal("solver.iteratons=4", {"iteratons", "iterations"});
   expect_refusal("solver.method=three_level", {"three_level", "two_level", "jacobi"});
-  expect_failure({"run", cube().string(), "--set", "fixed=[{\"sphere\":{\"center\":[9,9,9],\"radius\":0.1}}]"},
-                 {"fixed"});
+  expect_failure({"run", cube_path(), "--set", "fixed=[{\"sphere\":{\"center\":[9,9,9],\"radius\":0.1}}]"}, {"fixed"});
   expect_failure({"info", (folder / "missing.msh").string()}, {"no such file"});
   expect_failure({"convert", (folder / "missing.msh").string(), (folder / "out.vtk").string()}, {"no such file"});
   expect_failure({"convert", mesh, (folder / "out.stl").string()}, {"out.stl", ".vtk"}, ".", 2);
-  expect_failure({"run", cube().string(), "--quiet", "--data-dir", folder.path().string()}, {"shaders"});
+  expect_failure({"run", cube_path(), "--quiet", "--data-dir", folder.path().string()}, {"shaders"});
 }
 
 TEST_CASE("outputs that cannot be written", "[cli]") {
   const TemporaryFolder folder;
-  expect_failure(
-      {"render", cube().string(), "--quiet", "--steps", "0", "--out", (folder / "no/such/shot.png").string()},
-      {"shot.png", "no such folder"});
-  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "no/out.vtu").string()},
+  expect_failure({"render", cube_path(), "--quiet", "--steps", "0", "--out", (folder / "no/such/shot.png").string()},
+                 {"shot.png", "no such folder"});
+  expect_failure({"run", cube_path(), "--quiet", "--steps", "1", "--export", (folder / "no/out.vtu").string()},
                  {"out.vtu"});
-  expect_failure({"run", cube().string(), "--quiet", "--steps", "1", "--export", (folder / "out.txt").string()},
+  expect_failure({"run", cube_path(), "--quiet", "--steps", "1", "--export", (folder / "out.txt").string()},
                  {"out.txt"}, ".", 2);
   CHECK(fs::is_empty(folder.path()));
 
   // A limit on file size simulates a full disk: the write fails in the same place.
   write_file(folder / "state.csv", "old");
   const CommandResult full =
-      run_command({"/bin/sh", "-c", "ulimit -f 2; exec \"$@\"", "sh", FASCIA_BINARY, "run", cube().string(), "--quiet",
+      run_command({"/bin/sh", "-c", "ulimit -f 2; exec \"$@\"", "sh", FASCIA_BINARY, "run", cube_path(), "--quiet",
                    "--context", "osmesa", "--steps", "1", "--export", (folder / "state.csv").string()});
   INFO(full.err);
   CHECK(full.exit_code == 1);
@@ -176,9 +169,8 @@ TEST_CASE("outputs that cannot be written", "[cli]") {
 TEST_CASE("ffmpeg missing or failing midway leaves no partial video", "[cli]") {
   const TemporaryFolder folder, tools;
   const auto render = [&](const std::string& path) {
-    return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "render", cube().string(), "--quiet",
-                        "--context", "osmesa", "--size", "320x240", "--time", "1", "--video",
-                        (folder / "out.mp4").string()});
+    return run_command({"/usr/bin/env", "PATH=" + path, FASCIA_BINARY, "render", cube_path(), "--quiet", "--context",
+                        "osmesa", "--size", "320x240", "--time", "1", "--video", (folder / "out.mp4").string()});
   };
   const CommandResult missing = render(tools.path().string());
   INFO(missing.err);
@@ -205,8 +197,8 @@ TEST_CASE("ffmpeg missing or failing midway leaves no partial video", "[cli]") {
 
 TEST_CASE("a picture carries its provenance", "[cli]") {
   const TemporaryFolder folder;
-  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
-                                           "160x120", "--steps", "3", "--out", (folder / "shot.png").string()});
+  const CommandResult result = run_fascia({"render", cube_path(), "--quiet", "--context", "osmesa", "--size", "160x120",
+                                           "--steps", "3", "--out", (folder / "shot.png").string()});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
@@ -230,8 +222,8 @@ TEST_CASE("a picture carries its provenance", "[cli]") {
 TEST_CASE("a video has the requested frames and size", "[cli]") {
   const TemporaryFolder folder;
   const std::string video = folder / "out.mp4";
-  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
-                                           "160x120", "--time", "0.5", "--fps", "30", "--video", video});
+  const CommandResult result = run_fascia({"render", cube_path(), "--quiet", "--context", "osmesa", "--size", "160x120",
+                                           "--time", "0.5", "--fps", "30", "--video", video});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   const CommandResult probe =
@@ -244,8 +236,8 @@ TEST_CASE("a video has the requested frames and size", "[cli]") {
 TEST_CASE("an animated GIF has the requested frames and size", "[cli]") {
   const TemporaryFolder folder;
   const std::string video = folder / "out.gif";
-  const CommandResult result = run_fascia({"render", cube().string(), "--quiet", "--context", "osmesa", "--size",
-                                           "160x120", "--time", "0.4", "--fps", "25", "--video", video});
+  const CommandResult result = run_fascia({"render", cube_path(), "--quiet", "--context", "osmesa", "--size", "160x120",
+                                           "--time", "0.4", "--fps", "25", "--video", video});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(read_file(video).starts_with("GIF89a"));
@@ -258,9 +250,9 @@ TEST_CASE("an animated GIF has the requested frames and size", "[cli]") {
 
 TEST_CASE("run exports a series and statistics", "[cli]") {
   const TemporaryFolder folder;
-  const CommandResult result = run_fascia({"run", cube().string(), "--quiet", "--steps", "6", "--export", "out.vtu",
-                                           "--every", "3", "--stats", "stats.json"},
-                                          folder.path());
+  const CommandResult result = run_fascia(
+      {"run", cube_path(), "--quiet", "--steps", "6", "--export", "out.vtu", "--every", "3", "--stats", "stats.json"},
+      folder.path());
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(fs::exists(folder / "out.pvd"));
@@ -316,7 +308,7 @@ TEST_CASE("the same run gives the same state file, on every context", "[cli]") {
   for (const std::vector<std::string>& how :
        std::vector<std::vector<std::string>>{{"--context", "osmesa"}, {"--context", "osmesa"}, {"--context", "egl"}}) {
     std::vector<std::string> arguments{
-        "run", cube().string(), "--quiet", "--steps", "20", "--export", (folder / "state.csv").string()};
+        "run", cube_path(), "--quiet", "--steps", "20", "--export", (folder / "state.csv").string()};
     arguments.insert(arguments.end(), how.begin(), how.end());
     const CommandResult result = run_fascia(arguments);
     INFO(result.err);
@@ -332,7 +324,7 @@ TEST_CASE("a step within a frame budget gets the iterations that fit, at least o
   const TemporaryFolder folder;
   const auto iterations = [&](const std::string& milliseconds) {
     const std::string stats = (folder / "stats.json").string();
-    const CommandResult result = run_fascia({"run", cube().string(), "--quiet", "--steps", "3", "--context", "osmesa",
+    const CommandResult result = run_fascia({"run", cube_path(), "--quiet", "--steps", "3", "--context", "osmesa",
                                              "--stats", stats, "--set", "solver.frame_budget=" + milliseconds});
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
@@ -347,7 +339,7 @@ TEST_CASE("run --error compares the last step with the exact one", "[cli]") {
   const TemporaryFolder folder;
   const std::string stats = (folder / "stats.json").string();
   const auto error = [&](const std::string& iterations) {
-    const CommandResult result = run_fascia({"run", cube().string(), "--steps", "5", "--context", "osmesa", "--stats",
+    const CommandResult result = run_fascia({"run", cube_path(), "--steps", "5", "--context", "osmesa", "--stats",
                                              stats, "--error", "--set", "solver.iterations=" + iterations});
     INFO(result.err);
     REQUIRE(result.exit_code == 0);

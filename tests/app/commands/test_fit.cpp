@@ -11,17 +11,16 @@ using namespace fascia::test;
 
 namespace {
 
-const std::string kCube = (source_dir() / "assets/scenes/cube.json").string();
 const std::string kYoung = "materials.default.young_modulus", kPoisson = "materials.default.poisson_ratio";
 
 TEST_CASE("fit finds the values that made a shape, and writes its files", "[fit]") {
   const TemporaryFolder folder;
   const std::string shape = (folder / "shape.csv").string(), out = (folder / "out").string();
-  REQUIRE(run_fascia({"run", kCube, "--static", "--reference", "--set", kYoung + "=30000", "--set", kPoisson + "=0.35",
-                      "--export", shape, "--quiet"})
+  REQUIRE(run_fascia({"run", cube_path(), "--static", "--reference", "--set", kYoung + "=30000", "--set",
+                      kPoisson + "=0.35", "--export", shape, "--quiet"})
               .exit_code == 0);
-  const CommandResult result =
-      run_fascia({"fit", kCube, "--static", "--measured", shape, "--free", kYoung + "," + kPoisson, "--out", out});
+  const CommandResult result = run_fascia(
+      {"fit", cube_path(), "--static", "--measured", shape, "--free", kYoung + "," + kPoisson, "--out", out});
   INFO(result.out << result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(result.out.find(kYoung + "  30000 Pa") != std::string::npos);
@@ -40,12 +39,12 @@ TEST_CASE("fit finds the values that made a history", "[fit]") {
   const TemporaryFolder folder;
   const std::string history = (folder / "history.csv").string();
   const std::string damping = "materials.default.damping";
-  REQUIRE(run_fascia({"run", kCube, "--reference", "--steps", "20", "--set", kYoung + "=30000", "--set",
+  REQUIRE(run_fascia({"run", cube_path(), "--reference", "--steps", "20", "--set", kYoung + "=30000", "--set",
                       damping + "=0.03", "--history", history, "--quiet"})
               .exit_code == 0);
   const CommandResult result =
-      run_fascia({"fit", kCube, "--set", damping + "=0.02", "--measured", history + ",2", "--free", kYoung, "--free",
-                  damping, "--columns", "reaction,probe", "--profile", "0", "--quiet"});
+      run_fascia({"fit", cube_path(), "--set", damping + "=0.02", "--measured", history + ",2", "--free", kYoung,
+                  "--free", damping, "--columns", "reaction,probe", "--profile", "0", "--quiet"});
   INFO(result.out << result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
@@ -61,7 +60,7 @@ TEST_CASE("fit says what is wrong, with its exit code", "[fit]") {
   };
   const std::string weight = file("weight.csv", "reaction_y_N\n9.81\n");
   const auto fit = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"fit", kCube, "--static", "--quiet"});
+    more.insert(more.begin(), {"fit", cube_path(), "--static", "--quiet"});
     return run_fascia(more);
   };
   const CommandResult unit = fit({"--measured", file("unit.csv", "reaction_y_lbf\n1\n"), "--free", kYoung});

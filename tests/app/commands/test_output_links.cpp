@@ -15,8 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string cube() { return (source_dir() / "assets/scenes/cube.json").string(); }
-
 std::size_t entries(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
@@ -59,7 +57,7 @@ TEST_CASE("a link that leads nowhere is refused and kept", "[links]") {
                     Contains("nowhere.csv: links to ") && Contains("no such folder"));
   CHECK_THROWS_WITH(require_writable(folder / "a.csv"), Contains("leads in a circle"));
   for (const char* name : {"nowhere.csv", "a.csv"}) {
-    const CommandResult result = run_fascia({"run", cube(), "--steps", "1", "--export", (folder / name).string()});
+    const CommandResult result = run_fascia({"run", cube_path(), "--steps", "1", "--export", (folder / name).string()});
     CAPTURE(name, result.err);
     CHECK(result.exit_code == 1);
     CHECK_THAT(result.err, Contains(name));
@@ -84,10 +82,10 @@ TEST_CASE("every output follows links, including videos of ffmpeg", "[links]") {
     return (folder / name).string();
   };
   const CommandResult run =
-      run_fascia({"run", cube(), "--quiet", "--context", "osmesa", "--steps", "1", "--export", link_to("state.csv"),
-                  "--stats", link_to("stats.json"), "--history", link_to("rows.csv")});
+      run_fascia({"run", cube_path(), "--quiet", "--context", "osmesa", "--steps", "1", "--export",
+                  link_to("state.csv"), "--stats", link_to("stats.json"), "--history", link_to("rows.csv")});
   const CommandResult render =
-      run_fascia({"render", cube(), "--quiet", "--context", "osmesa", "--time", "0.1", "--size", "64x48", "--out",
+      run_fascia({"render", cube_path(), "--quiet", "--context", "osmesa", "--time", "0.1", "--size", "64x48", "--out",
                   link_to("shot.png"), "--video", link_to("film.mp4")});
   CAPTURE(run.err, render.err);
   CHECK(run.exit_code == 0);

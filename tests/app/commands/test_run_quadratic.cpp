@@ -9,18 +9,14 @@
 using namespace fascia;
 using namespace fascia::test;
 
-namespace {
-
-const std::string kCube = (source_dir() / "assets/scenes/cube.json").string();
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("run exports quadratic tets as cells of ten nodes", "[run]") {
   const std::string ending = GENERATE(".vtu", ".msh");
   const TemporaryFolder folder;
   const std::string file = (folder / ("out" + ending)).string();
   const CommandResult run =
-      run_fascia({"run", kCube, "--reference", "--steps", "1", "--set", "elements=quadratic", "--export", file});
+      run_fascia({"run", cube_path(), "--reference", "--steps", "1", "--set", "elements=quadratic", "--export", file});
   CAPTURE(run.err, ending);
   REQUIRE(run.exit_code == 0);
   const MeshFile read = read_mesh(file);
@@ -43,15 +39,15 @@ TEST_CASE("quadratic tets run on the GPU as exactly as linear ones, and other me
           "[run]") {
   const TemporaryFolder folder;
   const std::filesystem::path stats = folder / "stats.json";
-  const CommandResult run = run_fascia(
-      {"run", kCube, "--steps", "5", "--quiet", "--set", "elements=quadratic", "--error", "--stats", stats.string()});
+  const CommandResult run = run_fascia({"run", cube_path(), "--steps", "5", "--quiet", "--set", "elements=quadratic",
+                                        "--error", "--stats", stats.string()});
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
   const nlohmann::json numbers = nlohmann::json::parse(read_file(stats));
   CHECK(numbers.at("error").get<double>() < 2e-3);
   CHECK(numbers.at("inverted") == 0);
-  const CommandResult refused = run_fascia({"run", kCube, "--steps", "1", "--quiet", "--set", "elements=quadratic",
-                                            "--set", "solver.method=vertex_descent"});
+  const CommandResult refused = run_fascia({"run", cube_path(), "--steps", "1", "--quiet", "--set",
+                                            "elements=quadratic", "--set", "solver.method=vertex_descent"});
   CHECK(refused.exit_code == 1);
   CHECK(refused.err ==
         "solver.method: vertex_descent does not carry quadratic elements; expected two_level, or bodies with linear "

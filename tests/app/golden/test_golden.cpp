@@ -25,8 +25,6 @@ const fs::path& cube() {
   return path;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // Renders a picture and a state of the cube, small and with few steps.
 CommandResult render(std::vector<std::string> more) {
   std::vector<std::string> arguments{"render", cube().string(), "--context", "osmesa", "--size",

@@ -7,7 +7,7 @@ using namespace fascia;
 
 namespace {
 
-Tunables plain() {
+Tunables one_material() {
   Tunables tunables;
   tunables.materials.push_back({Material{}, {{"core", MaterialOverride{}}}});
   return tunables;
@@ -17,7 +17,7 @@ Tunables plain() {
 
 TEST_CASE("every change is one entry, undone and redone in order") {
   UndoHistory history;
-  std::vector<Tunables> states{plain()};
+  std::vector<Tunables> states{one_material()};
   history.restart(states[0]);
   CHECK_FALSE(history.can_undo());
   for (int i = 1; i <= 4; ++i) {
@@ -65,7 +65,7 @@ TEST_CASE("every change is one entry, undone and redone in order") {
 
 TEST_CASE("several changes at once are one entry, and a restart forgets all of them") {
   UndoHistory history;
-  Tunables now = plain();
+  Tunables now = one_material();
   history.restart(now);
   CHECK(history.complete());
   now.solver.iterations = 12;
@@ -74,7 +74,7 @@ TEST_CASE("several changes at once are one entry, and a restart forgets all of t
   history.follow(now);
   REQUIRE(history.entries().size() == 1);
   CHECK(history.undone_next().text.ends_with(" and 2 more"));
-  CHECK(history.undone_next().before == plain());
+  CHECK(history.undone_next().before == one_material());
   CHECK(history.undone_next().after == now);
   for (std::size_t i = 0; i < UndoHistory::kMostEntries; ++i) {
     now.solver.iterations += 1;

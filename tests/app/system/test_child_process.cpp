@@ -10,14 +10,10 @@
 #include <new>
 
 #include "base/error.h"
+#include "tests/support/support.h"
 
 using namespace fascia;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
+using fascia::test::contains;
 
 TEST_CASE("a crash, hang or failure in a child is reported") {
   CHECK(run_in_child([] { return std::string("done"); }, 60).answer == "done");

@@ -10,7 +10,7 @@ using namespace fascia::test;
 
 namespace {
 
-struct Desk : HeadlessStage {
+struct ObserverDesk : HeadlessStage {
   Observer observer{stage, sides};
   /// After a step, until the requested diagnostics are available.
   void measure() {
@@ -24,7 +24,7 @@ struct Desk : HeadlessStage {
 }  // namespace
 
 TEST_CASE("diagnostics are requested if something shows them, and go to the side that the panels show") {
-  Desk desk;
+  ObserverDesk desk;
   WindowState& state = desk.stage.state;
   state.show_panels = false;
   desk.measure();
@@ -47,7 +47,7 @@ TEST_CASE("diagnostics are requested if something shows them, and go to the side
 }
 
 TEST_CASE("plots get a sample of each measurement with its step, unless they are held") {
-  Desk desk;
+  ObserverDesk desk;
   Plots& plots = desk.stage.state.plots;
   plots.shown = true;
   desk.stage.state.statistics.steps = 41;
@@ -61,7 +61,7 @@ TEST_CASE("plots get a sample of each measurement with its step, unless they are
 }
 
 TEST_CASE("measured curves are drawn in the plots, at their point") {
-  Desk desk;
+  ObserverDesk desk;
   Plots& plots = desk.stage.state.plots;
   plots.shown = true;
   desk.measure();
@@ -85,7 +85,7 @@ TEST_CASE("measured curves are drawn in the plots, at their point") {
 }
 
 TEST_CASE("a click chooses the vertex of the plots while the choice is open") {
-  Desk desk;
+  ObserverDesk desk;
   Plots& plots = desk.stage.state.plots;
   const Eigen::Vector2d middle(HeadlessStage::kWidth / 2, HeadlessStage::kHeight / 2);
   CHECK_FALSE(desk.observer.choose_probe(middle));
@@ -101,7 +101,7 @@ TEST_CASE("a click chooses the vertex of the plots while the choice is open") {
 }
 
 TEST_CASE("the residual of the last step is available at the end, even if nothing showed it") {
-  Desk desk;
+  ObserverDesk desk;
   desk.sides.step();
   desk.observer.finish();
   CHECK(desk.observer.residual() > 0);

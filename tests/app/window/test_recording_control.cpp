@@ -11,14 +11,14 @@ using namespace fascia::test;
 namespace {
 
 /// With its own folder for recordings.
-struct Desk : HeadlessStage {
+struct RecordingDesk : HeadlessStage {
   TemporaryFolder folder;
   const char* before = std::getenv("XDG_STATE_HOME");
   std::string kept = before ? before : "";
   RecordingControl recording{stage, sides, true};
 
-  Desk() { setenv("XDG_STATE_HOME", folder.path().c_str(), 1); }
-  ~Desk() {
+  RecordingDesk() { setenv("XDG_STATE_HOME", folder.path().c_str(), 1); }
+  ~RecordingDesk() {
     if (before)
       setenv("XDG_STATE_HOME", kept.c_str(), 1);
     else
@@ -34,7 +34,7 @@ struct Desk : HeadlessStage {
 }  // namespace
 
 TEST_CASE("a recording has the inputs since the session was opened, with the state at its end") {
-  Desk desk;
+  RecordingDesk desk;
   desk.recording.session_began();
   desk.sides.step();
   desk.turn(7);
@@ -52,7 +52,7 @@ TEST_CASE("a recording has the inputs since the session was opened, with the sta
 }
 
 TEST_CASE("a change to another session ends the recording, and the next one begins in mid-session until a reset") {
-  Desk desk;
+  RecordingDesk desk;
   desk.recording.session_began();
   for (int i = 0; i < 3; ++i) desk.sides.step();
   bool changed = false;

@@ -9,9 +9,9 @@ using namespace fascia::test;
 
 namespace {
 
-struct Desk : HeadlessStage {
+struct SteppingDesk : HeadlessStage {
   Stepping stepping{graphics, overlay, stage, sides};
-  Desk() {  // compiles the kernels
+  SteppingDesk() {  // compiles the kernels
     for (int i = 0; i < 2; ++i) stage.simulation().step();
   }
   double time_step() const { return stage.simulation().scene.solver.time_step; }
@@ -20,7 +20,7 @@ struct Desk : HeadlessStage {
 }  // namespace
 
 TEST_CASE("a paused window makes the requested steps, one at a time") {
-  Desk desk;
+  SteppingDesk desk;
   desk.stage.state.paused = true;
   CHECK(desk.stepping.still());
   desk.stage.diagnose = false;
@@ -35,7 +35,7 @@ TEST_CASE("a paused window makes the requested steps, one at a time") {
 }
 
 TEST_CASE("a window with a limit of steps makes exactly that number") {
-  Desk desk;
+  SteppingDesk desk;
   desk.stepping.limit(3);
   for (int i = 0; i < 6; ++i) {
     CHECK(desk.stepping.done() == (i >= 3));
@@ -46,7 +46,7 @@ TEST_CASE("a window with a limit of steps makes exactly that number") {
 }
 
 TEST_CASE("a replay gets no steps beyond its end, and follows the user's pace") {
-  Desk desk;
+  SteppingDesk desk;
   Simulation& simulation = desk.stage.simulation();
   simulation.play({simulation.scene, std::nullopt, {}, 2});
   desk.stage.state.statistics.step_ms = 0.01;

@@ -11,7 +11,7 @@ using namespace fascia::test;
 
 namespace {
 
-struct Desk : HeadlessStage {
+struct TuningDesk : HeadlessStage {
   using HeadlessStage::HeadlessStage;
   RecordingControl recording{stage, sides, false};
   KernelSwitch kernels{graphics, false, {}};
@@ -23,7 +23,7 @@ struct Desk : HeadlessStage {
 }  // namespace
 
 TEST_CASE("changes are entries of the side that the panels show, and several are undone at once") {
-  Desk desk;
+  TuningDesk desk;
   desk.tuning.session_began();
   desk.tuning.follow();
   CHECK(desk.history().entries().empty());
@@ -47,7 +47,7 @@ TEST_CASE("changes are entries of the side that the panels show, and several are
 }
 
 TEST_CASE("a region loses its own material, and has it again after undo") {
-  Desk desk("inclusion");
+  TuningDesk desk("inclusion");
   desk.tuning.session_began();
   const std::size_t before = desk.materials();
   std::vector<MaterialEntries> entries = tunables_of(*desk.stage.session, {}).materials;
@@ -68,7 +68,7 @@ TEST_CASE("a region loses its own material, and has it again after undo") {
 }
 
 TEST_CASE("the scene in another unit keeps changed values, and the camera only if it was moved") {
-  Desk desk;
+  TuningDesk desk;
   desk.tuning.session_began();
   set_iterations(*desk.stage.session, 33);
   const Opened twice = desk.tuning.rescaled(2);
@@ -88,7 +88,7 @@ TEST_CASE("the scene in another unit keeps changed values, and the camera only i
 }
 
 TEST_CASE("a stroke of the brush is an entry, and is undone and redone") {
-  Desk desk;
+  TuningDesk desk;
   desk.tuning.session_began();
   desk.tuning.follow();
   const auto fixed = [&] { return desk.stage.simulation().model.fixed; };
@@ -120,7 +120,7 @@ TEST_CASE("a stroke of the brush is an entry, and is undone and redone") {
 
 TEST_CASE(
     "painting is an entry, and several are undone and redone at once, also beside a method that carries its law") {
-  Desk desk;
+  TuningDesk desk;
   desk.tuning.session_began();
   const auto paint = [&](std::uint32_t tet, const std::string& name, MaterialModel law) {
     MaterialOverride fresh;
@@ -160,7 +160,7 @@ TEST_CASE(
 }
 
 TEST_CASE("other elements are an entry, and the tissue goes on where it was") {
-  Desk desk;
+  TuningDesk desk;
   desk.tuning.session_began();
   desk.tuning.follow();
   for (int step = 0; step < 10; ++step) desk.stage.simulation().step();

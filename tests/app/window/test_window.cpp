@@ -20,11 +20,7 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700;
-constexpr int kPanels = 340;                     // slightly more than the width of the column of panels
-constexpr int kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
-
-struct Desk {
+struct SceneDesk {
   TemporaryFolder folder;
   VirtualDisplay display{kWidth, kHeight};
   std::string scene(const std::string& name, const std::string& text) const {
@@ -32,11 +28,6 @@ struct Desk {
     return (folder / name).string();
   }
 };
-
-std::vector<std::string> with_size(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
-  return arguments;
-}
 
 // Without panels, hints and messages, which are at the edges.
 Image scene_part(const Screenshot& shot) {
@@ -99,7 +90,7 @@ double farthest_vertex(const std::filesystem::path& csv, const std::filesystem::
 }  // namespace
 
 TEST_CASE("a window without motion uses no processor time, and wakes on input") {
-  const Desk desk;
+  const SceneDesk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
   FasciaWindow window(with_size({scene, "--stats", "stats.json"}), desk.folder.path());
   window.screenshot();  // it is open and shows the scene
@@ -126,7 +117,7 @@ TEST_CASE("a window without motion uses no processor time, and wakes on input") 
 }
 
 TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
-  const Desk desk;
+  const SceneDesk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
   FasciaWindow window(with_size({scene, "--export", "dragged.csv", "--stats", "stats.json"}), desk.folder.path());
   const Screenshot rest = undisturbed(window);
@@ -212,7 +203,7 @@ TEST_CASE("tissue is dragged, a slider moved and keys pressed in the window") {
 }
 
 TEST_CASE("a scene that cannot be opened keeps the open one, and another opens by its path") {
-  const Desk desk;
+  const SceneDesk desk;
   const std::string first = desk.scene("first.json", cube_scene("First", 1e5));
   desk.scene("second.json", cube_scene("Second", 1e6));
   desk.scene("broken.json", "{\"fascia_scene\": 1, \"titel\": 3}");
@@ -263,7 +254,7 @@ TEST_CASE("a scene that cannot be opened keeps the open one, and another opens b
 }
 
 TEST_CASE("a window closes by itself after the requested steps") {
-  const Desk desk;
+  const SceneDesk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
   const CommandResult result =
       run_fascia(with_size({"view", scene, "--steps", "5", "--stats", "stats.json"}), desk.folder.path());
@@ -273,7 +264,7 @@ TEST_CASE("a window closes by itself after the requested steps") {
 }
 
 TEST_CASE("tissue that diverges repeatedly pauses with a message and a replay; the window and the scene stay") {
-  const Desk desk;
+  const SceneDesk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
   Replay broken{open_scene(scene), std::nullopt, {}, 100};
   const Model model = build_model(broken.scene);
@@ -322,7 +313,7 @@ TEST_CASE("hidden: the device is reset", "[.]") {
 }
 
 TEST_CASE("a window whose device is reset ends and leaves the scene as it was") {
-  const Desk desk;
+  const SceneDesk desk;
   const Scene scene = open_scene(desk.scene("cube.json", cube_scene("Cube", 2e5)));
   const CommandResult child = run_command(
       {std::filesystem::read_symlink("/proc/self/exe").string(), "hidden: the device is reset"}, desk.folder.path());
@@ -339,7 +330,7 @@ TEST_CASE("a window whose device is reset ends and leaves the scene as it was") 
 }
 
 TEST_CASE("a session in the window is replayed to the bit, also one that was killed", "[window][session]") {
-  const Desk desk;
+  const SceneDesk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Test cube", 2e4));
   const std::filesystem::path sessions = state_folder() / "sessions";  // of this display
   const auto only_session = [&] {

@@ -14,8 +14,7 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720, kPanels = 338, kX = (kPanels + kWidth) / 2,
-              kY = kHeight / 2;  // the middle of the tissue
+constexpr int kX = kLargeMiddle, kY = kLargeHeight / 2;  // the middle of the tissue
 
 // In the panel Brush, of which the lowest row is always at the bottom of the window:
 constexpr std::pair kBrush{230, 91};   // the icon above it, which takes the brush in hand
@@ -27,9 +26,9 @@ class BrushWindow {
  public:
   BrushWindow() {
     write_file(file(), cube_scene("Cube", 2e4));
-    window_.emplace(
-        std::vector<std::string>{file().string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
-        folder_.path());
+    window_.emplace(std::vector<std::string>{file().string(), "--size",
+                                             std::to_string(kLargeWidth) + "x" + std::to_string(kLargeHeight)},
+                    folder_.path());
     window_->screenshot();
   }
 
@@ -62,7 +61,7 @@ class BrushWindow {
 
  private:
   TemporaryFolder folder_;
-  VirtualDisplay display_{kWidth, kHeight};
+  VirtualDisplay display_{kLargeWidth, kLargeHeight};
   std::optional<FasciaWindow> window_;
 };
 

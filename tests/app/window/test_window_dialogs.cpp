@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Desk {
+struct DialogDesk {
   TemporaryFolder folder;
   VirtualDisplay display{1000, 700};
   std::string text = cube_scene("Test cube", 2e4);
@@ -45,7 +45,7 @@ struct Desk {
 
 TEST_CASE("a scene is saved to a folder selected by keys, and a file is replaced only after confirmation",
           "[dialogs]") {
-  Desk desk;
+  DialogDesk desk;
   FasciaWindow& window = desk.window;
   fs::create_directory(desk.folder / "out");
   fs::create_directory(desk.folder / "out/deeper");
@@ -91,7 +91,7 @@ TEST_CASE("a scene is saved to a folder selected by keys, and a file is replaced
 }
 
 TEST_CASE("a state and a replay are saved by the same dialog", "[dialogs]") {
-  Desk desk;
+  DialogDesk desk;
   FasciaWindow& window = desk.window;
   fs::create_directory(desk.folder / "out");
   window.screenshot();
@@ -110,7 +110,7 @@ TEST_CASE("a state and a replay are saved by the same dialog", "[dialogs]") {
 }
 
 TEST_CASE("a click selects a folder and a file in the save dialog", "[dialogs]") {
-  Desk desk;
+  DialogDesk desk;
   FasciaWindow& window = desk.window;
   fs::create_directory(desk.folder / "out");
   write_file(desk.folder / "out/kept.json", "kept");
@@ -134,7 +134,7 @@ TEST_CASE("a click selects a folder and a file in the save dialog", "[dialogs]")
 }
 
 TEST_CASE("an error is in front of panels and dialogs, and Escape closes it first", "[dialogs]") {
-  Desk desk;
+  DialogDesk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();
   CHECK(desk.red_pixels() < 100);

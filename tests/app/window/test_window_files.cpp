@@ -18,9 +18,7 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700;
-
-struct Desk {
+struct FileDesk {
   TemporaryFolder folder;
   VirtualDisplay display{kWidth, kHeight};
   std::string scene(const std::string& title, double young_modulus) const {
@@ -43,11 +41,6 @@ struct Desk {
   }
 };
 
-std::vector<std::string> with_size(std::vector<std::string> arguments) {
-  arguments.insert(arguments.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
-  return arguments;
-}
-
 long step_of(const Screenshot& shot) {
   long step = -1;
   std::sscanf(shot.moment.c_str(), "step %ld", &step);
@@ -57,7 +50,7 @@ long step_of(const Screenshot& shot) {
 }  // namespace
 
 TEST_CASE("the state of a killed window is offered by the next one, and restored with its values") {
-  const Desk desk;
+  const FileDesk desk;
   // Its mesh is beside it, and the next window starts in another folder.
   const std::filesystem::path models = desk.folder / "models";
   std::filesystem::create_directory(models);
@@ -120,7 +113,7 @@ TEST_CASE("the state of a killed window is offered by the next one, and restored
 }
 
 TEST_CASE("two windows keep their states apart") {
-  const Desk desk;
+  const FileDesk desk;
   FasciaWindow one(with_size({desk.scene("one", 2e5)}), desk.folder.path());
   CHECK(eventually([&] { return desk.with_ending(".fascia", desk.display.state()).size() == 1; }));
   std::filesystem::create_directory(desk.folder / "two");
@@ -132,7 +125,7 @@ TEST_CASE("two windows keep their states apart") {
 }
 
 TEST_CASE("an example opens with one click, and the gallery is offered to a new user") {
-  const Desk desk;
+  const FileDesk desk;
   write_user_settings(desk.display.settings(), {});
   FasciaWindow window(with_size({}), desk.folder.path());
   CHECK(window.screenshot().title.find("Liver") != std::string::npos);
@@ -148,7 +141,7 @@ TEST_CASE("an example opens with one click, and the gallery is offered to a new 
 }
 
 TEST_CASE("opening a large mesh is canceled with Escape, and the open scene continues") {
-  const Desk desk;
+  const FileDesk desk;
   const std::string scene = desk.scene("small", 2e5);
   write_mesh(desk.folder / "large.msh", make_box(48, 48, 48, {1, 1, 1}));
   FasciaWindow window(with_size({scene}), desk.folder.path());
@@ -169,7 +162,7 @@ TEST_CASE("opening a large mesh is canceled with Escape, and the open scene cont
 }
 
 TEST_CASE("a video that fails when the window closes affects neither the export nor the recorded session") {
-  const Desk desk;
+  const FileDesk desk;
   const std::string scene = desk.scene("filmed", 5e3);
   std::filesystem::create_directory(desk.folder / "tools");
   write_file(desk.folder / "tools/ffmpeg",
@@ -195,7 +188,7 @@ TEST_CASE("a video that fails when the window closes affects neither the export 
 }
 
 TEST_CASE("plots are written as a table of the shown values, and the state is exported") {
-  const Desk desk;
+  const FileDesk desk;
   const std::string scene = desk.scene("plotted", 5e3);
   FasciaWindow window(with_size({scene}), desk.folder.path());
   window.screenshot();

@@ -12,17 +12,6 @@
 using namespace fascia;
 using namespace fascia::test;
 
-namespace {
-
-constexpr int kWidth = 1000, kHeight = 700, kPanels = 340,
-              kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
-
-double changed_share(const Screenshot& a, const Screenshot& b) {
-  return difference(right_part(a.image, kPanels), right_part(b.image, kPanels)).share;
-}
-
-}  // namespace
-
 TEST_CASE(
     "two grabs in the window: the first stays, the second moves away with the wheel, the first is released by its "
     "mark") {
@@ -44,13 +33,13 @@ TEST_CASE(
   window.move(kMiddle - 40, kHeight / 2 - 60);
   window.press();
   window.move(kMiddle - 120, kHeight / 2 - 120);
-  CHECK(eventually([&] { return changed_share(rest, window.screenshot()) > 0.01; }));
+  CHECK(eventually([&] { return changed_beside_panels(rest, window.screenshot()) > 0.01; }));
   window.key_down("ctrl");
   window.release();
   window.key_up("ctrl");
   const int mark_x = kMiddle - 120, mark_y = kHeight / 2 - 120;
   const Screenshot one = window.screenshot();
-  CHECK(changed_share(rest, one) > 0.01);
+  CHECK(changed_beside_panels(rest, one) > 0.01);
 
   INFO("a second grab, led away from the viewer by the wheel, stays by T");
   window.move(kMiddle + 60, kHeight / 2);
@@ -58,7 +47,7 @@ TEST_CASE(
   window.move(kMiddle + 66, kHeight / 2);
   for (int i = 0; i < 10; ++i) window.click(4);
   Screenshot two;
-  CHECK(eventually([&] { return changed_share(one, two = window.screenshot()) > 0.005; }));
+  CHECK(eventually([&] { return changed_beside_panels(one, two = window.screenshot()) > 0.005; }));
   window.key("t");
   window.release();
 
@@ -66,7 +55,7 @@ TEST_CASE(
   window.move(mark_x, mark_y);
   CHECK(eventually([&] {
     window.click(3);
-    return changed_share(two, window.screenshot()) > 0.01;
+    return changed_beside_panels(two, window.screenshot()) > 0.01;
   }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);

@@ -12,13 +12,6 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kPanels = 340, kMiddle = 670, kHeight = 700;  // kMiddle: of the area beside the panels
-
-// Share of its pixels.
-double changed(const Screenshot& from, const Screenshot& to) {
-  return difference(right_part(from.image, kPanels), right_part(to.image, kPanels)).share;
-}
-
 // A ball over the cube, and a second one far behind it.
 std::string scene_text() {
   const auto ball = [](const char* name, double z) {
@@ -48,15 +41,15 @@ TEST_CASE("an instrument taken by Tab is pressed into tissue by the mouse, which
   window.key("Tab");
   const Screenshot taken = window.screenshot();
   INFO("the instrument in hand has another color, of some pixels");
-  CHECK(changed(rest, taken) > 1e-4);
-  CHECK(changed(rest, taken) < 0.05);
+  CHECK(changed_beside_panels(rest, taken) > 1e-4);
+  CHECK(changed_beside_panels(rest, taken) < 0.05);
 
   window.move(kMiddle, kHeight / 4);
   window.press();
   window.move(kMiddle, kHeight / 4 + 130);  // by about 4 cm
   window.release();
   Screenshot pressed;
-  CHECK(eventually([&] { return changed(taken, pressed = window.screenshot()) > 0.01; }));
+  CHECK(eventually([&] { return changed_beside_panels(taken, pressed = window.screenshot()) > 0.01; }));
   INFO("Escape lets go: the ball stays in the tissue, and a left drag grabs again");
   window.key("Escape");
   window.screenshot();
@@ -97,7 +90,7 @@ TEST_CASE("the mouse still grabs tissue after the last instrument") {
   window.move(kMiddle - 40, kHeight / 2 - 60);
   window.press();
   window.move(kMiddle - 120, kHeight / 2 - 120);
-  CHECK(eventually([&] { return changed(rest, window.screenshot()) > 0.01; }));
+  CHECK(eventually([&] { return changed_beside_panels(rest, window.screenshot()) > 0.01; }));
   window.key("ctrl+q");
   CHECK(window.wait() == 0);
   const auto stats = nlohmann::json::parse(read_file(folder / "stats.json"));

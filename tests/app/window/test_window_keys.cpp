@@ -8,13 +8,6 @@
 using namespace fascia;
 using namespace fascia::test;
 
-namespace {
-
-constexpr int kWidth = 1000, kHeight = 700, kPanels = 340,
-              kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
-
-}  // namespace
-
 TEST_CASE("keys with Ctrl and Shift that are pressed and released within a frame reach a text field") {
   const TemporaryFolder folder;
   const VirtualDisplay display(kWidth, kHeight);

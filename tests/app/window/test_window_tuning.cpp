@@ -15,10 +15,7 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720, kPanels = 340,
-              kMiddle = (kPanels + kWidth) / 2;  // of the area beside the panels
-
-std::string cube_scene() {
+std::string tuned_cube() {
   return nlohmann::json{{"fascia_scene", 1},
                         {"title", "Test cube"},
                         {"gravity", {0, 0, 0}},
@@ -60,10 +57,10 @@ bool divided(const Image& image) {
 
 TEST_CASE("a drag of a slider is undone and redone by keys, and two settings are compared") {
   const TemporaryFolder folder;
-  const VirtualDisplay display(kWidth, kHeight);
-  write_file(folder / "cube.json", cube_scene());
+  const VirtualDisplay display(kLargeWidth, kLargeHeight);
+  write_file(folder / "cube.json", tuned_cube());
   FasciaWindow window(
-      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      {(folder / "cube.json").string(), "--size", std::to_string(kLargeWidth) + "x" + std::to_string(kLargeHeight)},
       folder.path());
   const Screenshot rest = window.screenshot();
   CHECK(rest.young_modulus == 2e4);
@@ -105,8 +102,8 @@ TEST_CASE("a drag of a slider is undone and redone by keys, and two settings are
 
 TEST_CASE("a session with swapped sides is replayed to the bit, even if R returns to the start of a replay") {
   const TemporaryFolder folder;
-  const VirtualDisplay display(kWidth, kHeight);
-  write_file(folder / "cube.json", cube_scene());
+  const VirtualDisplay display(kLargeWidth, kLargeHeight);
+  write_file(folder / "cube.json", tuned_cube());
   Replay kept{open_scene(folder / "cube.json"), std::nullopt, {}, 0};
   const Model model = build_model(kept.scene);
   kept.start = initial_state(model);
@@ -115,7 +112,7 @@ TEST_CASE("a session with swapped sides is replayed to the bit, even if R return
     if (!held[v]) kept.start->displacement[v] = {0.01, 0, 0};
   write_replay(folder / "kept.fascia", kept);
   FasciaWindow window(
-      {(folder / "kept.fascia").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      {(folder / "kept.fascia").string(), "--size", std::to_string(kLargeWidth) + "x" + std::to_string(kLargeHeight)},
       folder.path());
   window.screenshot();
   std::filesystem::path session;
@@ -160,19 +157,19 @@ TEST_CASE("a session with swapped sides is replayed to the bit, even if R return
 TEST_CASE(
     "a dragged section plane is undone in one step; a grab on the second side follows it, and the wheel zooms both") {
   const TemporaryFolder folder;
-  const VirtualDisplay display(kWidth, kHeight);
-  nlohmann::json scene = nlohmann::json::parse(cube_scene());
+  const VirtualDisplay display(kLargeWidth, kLargeHeight);
+  nlohmann::json scene = nlohmann::json::parse(tuned_cube());
   scene["display"] = {{"section", {{"normal", {1, 0, 0}}, {"offset", 0.02}}}};
   write_file(folder / "cube.json", scene.dump());
   FasciaWindow window(
-      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      {(folder / "cube.json").string(), "--size", std::to_string(kLargeWidth) + "x" + std::to_string(kLargeHeight)},
       folder.path());
   CHECK(window.screenshot().section == 0.02);
-  window.move(kMiddle, 150);
+  window.move(kLargeMiddle, 150);
   window.key_down("ctrl");
   window.press();
   for (int i = 1; i <= 6; ++i) {
-    window.move(kMiddle + 5 * i, 150);
+    window.move(kLargeMiddle + 5 * i, 150);
     window.pause();  // frames between
   }
   window.release();
@@ -183,7 +180,7 @@ TEST_CASE(
 
   window.key("b");
   CHECK(eventually([&] { return divided(window.screenshot().image); }));
-  const int x = kPanels + 3 * (kWidth - kPanels) / 4, y = kHeight / 2;
+  const int x = kPanels + 3 * (kLargeWidth - kPanels) / 4, y = kLargeHeight / 2;
   const Screenshot rest = window.screenshot();
   window.move(x, y);
   window.press();
@@ -226,10 +223,10 @@ TEST_CASE(
 
 TEST_CASE("Escape closes the panel Recording") {
   const TemporaryFolder folder;
-  const VirtualDisplay display(kWidth, kHeight);
-  write_file(folder / "cube.json", cube_scene());
+  const VirtualDisplay display(kLargeWidth, kLargeHeight);
+  write_file(folder / "cube.json", tuned_cube());
   FasciaWindow window(
-      {(folder / "cube.json").string(), "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      {(folder / "cube.json").string(), "--size", std::to_string(kLargeWidth) + "x" + std::to_string(kLargeHeight)},
       folder.path());
   const auto shown = [&] {
     const Image image = window.screenshot().image;

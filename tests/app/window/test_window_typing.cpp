@@ -16,7 +16,7 @@ namespace {
 constexpr int kSlider = 214, kYoung = 280,
               kDensity = 338;  // near the right end of the slider; rows of the panel Material
 
-struct Desk {
+struct TypingDesk {
   TemporaryFolder folder;
   VirtualDisplay display{1000, 700};
   FasciaWindow window{{scene(), "--size", "1000x700"}, folder.path()};
@@ -39,7 +39,7 @@ struct Desk {
 
 TEST_CASE("a slider accepts only the number that is typed, for any timing of pictures between click and keys",
           "[typing]") {
-  Desk desk;
+  TypingDesk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();
   std::string text;
@@ -79,7 +79,7 @@ TEST_CASE("a slider accepts only the number that is typed, for any timing of pic
 }
 
 TEST_CASE("a click and a drag act where they were made, however far the mouse is at the next picture", "[typing]") {
-  Desk desk;
+  TypingDesk desk;
   FasciaWindow& window = desk.window;
   const Screenshot rest = window.screenshot();
   CHECK_FALSE(rest.wireframe);
@@ -125,7 +125,7 @@ TEST_CASE("a click and a drag act where they were made, however far the mouse is
 
 TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are refused, and the value is kept",
           "[typing]") {
-  Desk desk;
+  TypingDesk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();
   for (const char* refused : {"0.5 Pa", "0", "1 mPa", "-3 kPa", "1e15"}) {
@@ -151,7 +151,7 @@ TEST_CASE("Young's modulus below 1 Pa and numbers beyond a slider's range are re
 }
 
 TEST_CASE("off is taken for 0 where 0 means off", "[typing]") {
-  Desk desk;
+  TypingDesk desk;
   FasciaWindow& window = desk.window;
   window.screenshot();
   constexpr int kDamping = kYoung + 87;  // three rows below
@@ -173,7 +173,7 @@ TEST_CASE("off is taken for 0 where 0 means off", "[typing]") {
 }
 
 TEST_CASE("text for a dialog may arrive together with the keys that open it", "[typing]") {
-  Desk desk;
+  TypingDesk desk;
   FasciaWindow& window = desk.window;
   write_file(desk.folder / "second.json", cube_scene("Second", 3e4));
   window.screenshot();

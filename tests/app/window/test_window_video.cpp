@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Desk {
+struct VideoDesk {
   TemporaryFolder folder;
   VirtualDisplay display{1000, 700};
   FasciaWindow window{{scene(), "--size", "960x640"}, folder.path()};
@@ -50,7 +50,7 @@ std::string size_of_video(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("videos and pictures have the chosen size and no panels, for any size of the window", "[video]") {
-  Desk desk;
+  VideoDesk desk;
   FasciaWindow& window = desk.window;
   window.resize(957, 640);  // as a window manager that reserves space for a frame
   CHECK(eventually([&] { return window.screenshot().image.width == 957; }));

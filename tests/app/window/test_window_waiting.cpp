@@ -12,8 +12,6 @@ using namespace fascia::test;
 
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 700, kPanels = 338;
-
 struct NoKernels {
   NoKernels() { setenv("MESA_SHADER_CACHE_DISABLE", "true", 1); }
   ~NoKernels() { unsetenv("MESA_SHADER_CACHE_DISABLE"); }
@@ -23,11 +21,11 @@ struct NoKernels {
 
 // Whether the sky, above the center of the scene, is behind the dark pill of the notice.
 bool shows_notice(const Image& image) {
-  constexpr int kX = (kPanels + kWidth) / 2, kY = 58;
+  constexpr int kRow = 58;
   const auto red = [&](int x, int y) {
     return static_cast<int>(image.rgba[4 * (static_cast<std::size_t>(y) * image.width + x)]);
   };
-  return red(kPanels + 20, kY) > 120 && red(kX - 100, kY - 3) < 90 && red(kX + 100, kY - 3) < 90;
+  return red(kPanels + 20, kRow) > 120 && red(kMiddle - 100, kRow - 3) < 90 && red(kMiddle + 100, kRow - 3) < 90;
 }
 
 }  // namespace

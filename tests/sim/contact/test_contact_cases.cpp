@@ -13,15 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 using test::box_model;
+using test::frames;
 using test::soft;
 
 constexpr double kGravity = 9.81;
-
-SolverSettings frames() {
-  SolverSettings settings;
-  settings.time_step = 1.0 / 60;
-  return settings;
-}
 
 Tool ground_of(double friction, const Vector3d& normal = {0, 1, 0}) {
   Tool tool;

@@ -13,14 +13,9 @@ namespace {
 using Eigen::Vector3d;
 using test::beside;
 using test::box_model;
+using test::frames;
 using test::moved;
 using test::soft;
-
-SolverSettings frames() {
-  SolverSettings settings;
-  settings.time_step = 1.0 / 60;
-  return settings;
-}
 
 Tool ground() {
   Tool tool;

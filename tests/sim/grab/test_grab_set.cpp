@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kRadius = 0.17;  // half the diagonal of the beam [m]
+constexpr double kBeamRadius = 0.17;  // half the diagonal of the beam [m]
 
 // Hangs from its end at y = 0.3.
 Model hanging_beam(double damping = 0.05) {
@@ -44,12 +44,6 @@ std::vector<GrabSpring> two_grabs(const Model& model) {
     for (const PatchVertex& p : patch) springs.push_back({p.vertex, to[h], p.share * (h ? 300 : 800), h});
   }
   return springs;
-}
-
-double largest_displacement(const State& state) {
-  double largest = 0;
-  for (const Vector3d& u : state.displacement) largest = std::max(largest, u.norm());
-  return largest;
 }
 
 struct Surface {
@@ -166,13 +160,13 @@ TEST_CASE("grabs stay, are taken up again and released one by one") {
   const Model model = hanging_beam();
   const Surface surface(model);
   GrabSet grabs;
-  REQUIRE(
-      grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.02)), kRadius, {}));
+  REQUIRE(grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.02)),
+                     kBeamRadius, {}));
   REQUIRE(grabs.following());
   grabs.stay();
   CHECK_FALSE(grabs.following());
-  REQUIRE(
-      grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.15)), kRadius, {}));
+  REQUIRE(grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.15)),
+                     kBeamRadius, {}));
   REQUIRE(grabs.all().size() == 2);
   CHECK(grabs.follows(1));
   CHECK(grabs.all()[0].id != grabs.all()[1].id);
@@ -195,7 +189,7 @@ TEST_CASE("grabs that stay become grabs of the scene with the same springs") {
   const Surface surface(model);
   GrabSet grabs;
   const Hit hit = surface.hit(model, from_front(0.05, 0.02));
-  REQUIRE(grabs.take(model, surface.drawn, model.rest_positions, hit, kRadius, {}));
+  REQUIRE(grabs.take(model, surface.drawn, model.rest_positions, hit, kBeamRadius, {}));
   CHECK(grabs.staying(model).empty());  // it follows the mouse
   Grab& grab = *grabs.following();
   grab.point_at({{0.09, 0.03, 1}, -Vector3d::UnitZ()}, -Vector3d::UnitZ());
@@ -229,13 +223,13 @@ TEST_CASE("the size of a patch changes during a grab, depth follows the view, a 
   const Hit hit = surface.hit(model, from_front(0.05, 0.15));
   GrabSettings settings{0.1, 3};
   Grab grab;
-  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, hit, kRadius, settings));
+  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, hit, kBeamRadius, settings));
   const std::size_t few = grab.vertices().size();
   settings.radius = 0.5;
   grab.set_size(model, settings);
   CHECK(grab.vertices().size() > few);
-  CHECK(grab.patch_radius() == Approx(0.5 * kRadius));
-  CHECK(grab.stiffness() == Approx(3 * 1e5 * 0.5 * kRadius));
+  CHECK(grab.patch_radius() == Approx(0.5 * kBeamRadius));
+  CHECK(grab.stiffness() == Approx(3 * 1e5 * 0.5 * kBeamRadius));
 
   const Vector3d forward = -Vector3d::UnitZ();
   const Vector3d before = grab.pointer();
@@ -245,10 +239,10 @@ TEST_CASE("the size of a patch changes during a grab, depth follows the view, a 
   CHECK((grab.pointer() - Vector3d(0.08, 0.15, 0.08)).norm() < 1e-12);
 
   settings.push = true;
-  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, hit, kRadius, settings));
-  CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kRadius)).norm() < 1e-12);
+  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, hit, kBeamRadius, settings));
+  CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kBeamRadius)).norm() < 1e-12);
   grab.go_deeper(0.01, Vector3d::UnitX());  // into the surface, for any view
-  CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kRadius - 0.01)).norm() < 1e-12);
+  CHECK((grab.pointer() - hit.point - Vector3d(0, 0, -0.25 * kBeamRadius - 0.01)).norm() < 1e-12);
 }
 
 TEST_CASE("a patch without free vertices keeps its previous size") {
@@ -258,7 +252,7 @@ TEST_CASE("a patch without free vertices keeps its previous size") {
   const Surface surface(model);
   GrabSettings settings{0.4, 3};
   Grab grab;
-  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.28)), kRadius,
+  REQUIRE(grab.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, 0.28)), kBeamRadius,
                     settings));
   const std::vector<std::uint32_t> held = grab.vertices();
   const double stiffness = grab.stiffness();
@@ -266,7 +260,7 @@ TEST_CASE("a patch without free vertices keeps its previous size") {
   grab.set_size(model, settings);
   CHECK(grab.vertices() == held);
   CHECK(grab.stiffness() == stiffness);
-  CHECK(grab.patch_radius() == Approx(0.4 * kRadius));
+  CHECK(grab.patch_radius() == Approx(0.4 * kBeamRadius));
   for (const GrabSpring& s : grab.springs(1e-3)) CHECK(s.target.allFinite());
 }
 
@@ -282,7 +276,7 @@ TEST_CASE("a fine surface in few large tets is grabbed by the tet below the hit 
   const auto hit = pick(from_front(0.133, 0.163), surface.triangles, surface.rest_positions);
   REQUIRE(hit);
   Grab grab;
-  REQUIRE(grab.take(model, surface, surface.rest_positions, *hit, kRadius, {0.01, 3}));
+  REQUIRE(grab.take(model, surface, surface.rest_positions, *hit, kBeamRadius, {0.01, 3}));
   Vector3d middle(0, 0, 0);
   double stiffness = 0;
   for (const GrabSpring& s : grab.springs(1e-3))
@@ -301,11 +295,11 @@ TEST_CASE("three violent grabs neither make the body diverge nor detach from it"
   for (const double y : {0.03, 0.12, 0.2}) {
     GrabSettings how;
     how.push = y == 0.12;
-    REQUIRE(
-        grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, y)), kRadius, how));
+    REQUIRE(grabs.take(model, surface.drawn, model.rest_positions, surface.hit(model, from_front(0.05, y)), kBeamRadius,
+                       how));
   }
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> uniform(-4 * kRadius, 4 * kRadius);
+  std::uniform_real_distribution<double> uniform(-4 * kBeamRadius, 4 * kBeamRadius);
   double farthest = 0;
   for (int i = 0; i < 150; ++i) {
     if (i % 3 == 0)
@@ -327,8 +321,8 @@ TEST_CASE("three violent grabs neither make the body diverge nor detach from it"
   for (int i = 0; i < 300; ++i) solver.step();
   solver.request_diagnostics();
   const Diagnostics d = *solver.take_diagnostics(true);
-  CAPTURE(farthest / kRadius, d.inverted, d.max_speed);
-  CHECK(farthest < 4 * kRadius);
+  CAPTURE(farthest / kBeamRadius, d.inverted, d.max_speed);
+  CHECK(farthest < 4 * kBeamRadius);
   CHECK(d.finite);
-  CHECK(d.max_speed < kRadius);
+  CHECK(d.max_speed < kBeamRadius);
 }

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kRadius = 0.17;  // of the cantilever: half the diagonal of its box [m]
+constexpr double kCantileverRadius = 0.17;  // of the cantilever: half the diagonal of its box [m]
 
 Model cantilever(const Material& material) {
   Model model =
@@ -33,18 +33,12 @@ struct Cantilever {
     const Ray ray{above, -Vector3d::UnitY()};
     const auto hit = pick(ray, surface.triangles, model.rest_positions);
     REQUIRE(hit);
-    return grab.take(model, surface, model.rest_positions, *hit, kRadius, settings);
+    return grab.take(model, surface, model.rest_positions, *hit, kCantileverRadius, settings);
   }
 };
 
 void point_at(Grab& grab, const Vector3d& point) {
   grab.point_at({point + Vector3d(0, 1, 0), -Vector3d::UnitY()}, -Vector3d::UnitY());
-}
-
-double largest_displacement(const State& state) {
-  double largest = 0;
-  for (const Vector3d& u : state.displacement) largest = std::max(largest, u.norm());
-  return largest;
 }
 
 }  // namespace
@@ -55,7 +49,7 @@ TEST_CASE("a patch contains the free vertices near the hit point, with full shar
   const Vector3d above(0.21, 1, 0.05), hit(0.21, 0.1, 0.05);
   Grab grab;
   REQUIRE(scene.take(grab, above, {0.3, 4}));
-  const double radius = 0.3 * kRadius;
+  const double radius = 0.3 * kCantileverRadius;
   const std::vector<std::uint32_t> patch = grab.vertices();
   double total = 0;
   for (const GrabSpring& spring : grab.springs(1e-9)) {
@@ -77,7 +71,7 @@ TEST_CASE("a patch contains the free vertices near the hit point, with full shar
   const Ray along{{-1, 0.05, 0.049}, Vector3d::UnitX()};
   const auto clamp = pick(along, scene.surface.triangles, model.rest_positions);
   REQUIRE(clamp);
-  CHECK_FALSE(grab.take(model, scene.surface, model.rest_positions, *clamp, kRadius, {0.05, 4}));
+  CHECK_FALSE(grab.take(model, scene.surface, model.rest_positions, *clamp, kCantileverRadius, {0.05, 4}));
   CHECK_FALSE(grab.holding());
 }
 
@@ -104,9 +98,9 @@ TEST_CASE("a grab acts on one body and has the stiffness of the local material")
         pick({{second ? 0.31 : 0.29, 1, 0.05}, -Vector3d::UnitY()}, surface.triangles, model.rest_positions);
     REQUIRE(hit);
     Grab grab;
-    REQUIRE(grab.take(model, surface, model.rest_positions, *hit, kRadius, {0.3, 4}));
+    REQUIRE(grab.take(model, surface, model.rest_positions, *hit, kCantileverRadius, {0.3, 4}));
     for (const std::uint32_t v : grab.vertices()) CHECK((v >= vertices) == second);
-    CHECK(grab.stiffness() == Approx(4 * (second ? 1e7 : 1e4) * 0.3 * kRadius));
+    CHECK(grab.stiffness() == Approx(4 * (second ? 1e7 : 1e4) * 0.3 * kCantileverRadius));
   }
 }
 
@@ -188,7 +182,7 @@ TEST_CASE("a violently moved mouse neither makes the body diverge nor detaches f
   SolverSettings settings;
   GpuSolver solver(gpu.programs, scene.model, settings);
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> uniform(-4 * kRadius, 4 * kRadius);
+  std::uniform_real_distribution<double> uniform(-4 * kCantileverRadius, 4 * kCantileverRadius);
   Grab grab;
   REQUIRE(scene.take(grab, {0.29, 1, 0.05}));
   const Vector3d hit = grab.pointer();
@@ -212,9 +206,9 @@ TEST_CASE("a violently moved mouse neither makes the body diverge nor detaches f
   solver.request_diagnostics();
   const Diagnostics d = *solver.take_diagnostics(true);
   const double left = largest_displacement(solver.download());
-  CAPTURE(modulus, farthest / kRadius, inverted, left / kRadius, d.inverted, d.max_speed);
-  CHECK(farthest < 3 * kRadius);  // the targets move 4 radii away from the hit point
+  CAPTURE(modulus, farthest / kCantileverRadius, inverted, left / kCantileverRadius, d.inverted, d.max_speed);
+  CHECK(farthest < 3 * kCantileverRadius);  // the targets move 4 radii away from the hit point
   CHECK(d.finite);
   CHECK(d.grab_force.norm() == 0);
-  CHECK(d.max_speed < kRadius);  // [m/s] calm after 10 s
+  CHECK(d.max_speed < kCantileverRadius);  // [m/s] calm after 10 s
 }

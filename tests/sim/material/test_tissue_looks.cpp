@@ -9,12 +9,6 @@
 using namespace fascia;
 using namespace fascia::test;
 
-namespace {
-
-std::string body_with(const std::string& materials) { return scene_text("\"materials\": " + materials); }
-
-}  // namespace
-
 TEST_CASE("every look has a name of its own, colors of a display and amounts in their ranges") {
   std::set<std::string> names;
   for (const TissueLook& look : tissue_looks()) {
@@ -35,7 +29,7 @@ TEST_CASE("every look has a name of its own, colors of a display and amounts in 
 }
 
 TEST_CASE("a material has the look and color of its entry, else of its preset, else of the default") {
-  const Body body = SceneFile(body_with(R"({"default": {"preset": "liver"}, "2": {"color": [1, 0.5, 0]},
+  const Body body = SceneFile(scene_with_materials(R"({"default": {"preset": "liver"}, "2": {"color": [1, 0.5, 0]},
                                             "3": {"preset": "fat", "look": "bone"}, "4": {"preset": "fat"}})"))
                         .open()
                         .bodies[0];
@@ -50,7 +44,7 @@ TEST_CASE("a material has the look and color of its entry, else of its preset, e
 }
 
 TEST_CASE("look and color can be overridden, and a preset of the command line replaces the file's look") {
-  const SceneFile file(body_with(R"({"default": {"look": "skin", "color": [0.5, 0.25, 0.125]}})"));
+  const SceneFile file(scene_with_materials(R"({"default": {"look": "skin", "color": [0.5, 0.25, 0.125]}})"));
   const auto material = [&](const std::vector<std::string>& sets) { return file.open(sets).bodies[0].material; };
   CHECK(material({"materials.default.look=bone"}).look == find_look("bone"));
   CHECK(material({"materials.default.color=[0, 1, 0.5]"}).color == std::array{0.0, 1.0, 0.5});
@@ -60,7 +54,8 @@ TEST_CASE("look and color can be overridden, and a preset of the command line re
 }
 
 TEST_CASE("a saved scene keeps look and color") {
-  const SceneFile file(body_with(R"({"default": {"look": "skin"}, "2": {"look": "fat", "color": [0.1, 0.2, 0.3]}})"));
+  const SceneFile file(
+      scene_with_materials(R"({"default": {"look": "skin"}, "2": {"look": "fat", "color": [0.1, 0.2, 0.3]}})"));
   const Scene scene = file.open();
   const Scene again = read_scene_content(file.path(), scene_to_json(scene, file.path().parent_path()));
   CHECK(again.bodies[0].material == scene.bodies[0].material);
@@ -69,7 +64,7 @@ TEST_CASE("a saved scene keeps look and color") {
 
 TEST_CASE("a look that does not exist and a color beyond the display's are one line each") {
   const auto error = [](const std::string& entry, const std::vector<std::string>& sets = {}) {
-    return SceneFile(body_with("{\"default\": {" + entry + "}}")).open_error(sets);
+    return SceneFile(scene_with_materials("{\"default\": {" + entry + "}}")).open_error(sets);
   };
   const std::string look = error(R"("look": "livr")");
   CHECK(look.find("s.json: bodies[0].materials.default.look: is \"livr\", perhaps \"liver\"; expected a look that "

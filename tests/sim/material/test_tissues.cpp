@@ -11,12 +11,6 @@
 using namespace fascia;
 using namespace fascia::test;
 
-namespace {
-
-std::string body_with(const std::string& materials) { return scene_text("\"materials\": " + materials); }
-
-}  // namespace
-
 TEST_CASE("every tissue has values that a scene permits, a range around them and a source with its year") {
   std::set<std::string> names;
   CHECK(tissues().size() >= 16);
@@ -60,10 +54,11 @@ TEST_CASE("the printed table has a line of values, conditions and a source for e
 
 TEST_CASE("a preset sets the values that its entry does not give") {
   const Tissue& liver = *find_tissue("liver");
-  const Body body = SceneFile(body_with(R"({"default": {"young_modulus": 1234, "preset": "liver", "damping": 0.5},
+  const Body body =
+      SceneFile(scene_with_materials(R"({"default": {"young_modulus": 1234, "preset": "liver", "damping": 0.5},
                                             "2": {"preset": "liver"}, "3": {"density": 900, "preset": "liver"}})"))
-                        .open()
-                        .bodies[0];
+          .open()
+          .bodies[0];
   CHECK(body.material == Material{1234, liver.poisson_ratio, liver.density, 0.5, Material().model,
                                   Material().mooney_ratio, find_look("liver")});
   CHECK(body.region_materials[0].second ==
@@ -73,7 +68,8 @@ TEST_CASE("a preset sets the values that its entry does not give") {
 }
 
 TEST_CASE("a preset of the command line replaces the file's numbers, not those of the command line") {
-  const SceneFile file(body_with(R"({"default": {"young_modulus": 1e6, "density": 2000, "damping": 0.25}})"));
+  const SceneFile file(
+      scene_with_materials(R"({"default": {"young_modulus": 1e6, "density": 2000, "damping": 0.25}})"));
   const Tissue& fat = *find_tissue("fat");
   CHECK(file.open({"materials.default.preset=fat"}).bodies[0].material ==
         Material{fat.young_modulus, fat.poisson_ratio, fat.density, 0.25, Material().model, Material().mooney_ratio,
@@ -88,15 +84,16 @@ TEST_CASE("a preset of the command line replaces the file's numbers, not those o
 }
 
 TEST_CASE("a preset that does not exist gives the nearest name and the list") {
-  const std::string error = SceneFile(body_with(R"({"default": {"preset": "livr"}})")).open_error();
+  const std::string error = SceneFile(scene_with_materials(R"({"default": {"preset": "livr"}})")).open_error();
   CHECK(error.find("s.json: bodies[0].materials.default.preset: is \"livr\", perhaps \"liver\"; expected a tissue that "
                    "fascia info --tissues lists: ") == 0);
   for (const std::string& name : tissue_names()) CHECK(error.find(name) != std::string::npos);
   CHECK(SceneFile(scene_text())
             .open_error({"materials.default.preset=fatt"})
             .find("--set materials.default.preset: is \"fatt\", perhaps \"fat\"") == 0);
-  CHECK(SceneFile(body_with(R"({"default": {"preset": 3}})")).open_error().find("preset: is 3; expected a tissue") !=
-        std::string::npos);
+  CHECK(SceneFile(scene_with_materials(R"({"default": {"preset": 3}})"))
+            .open_error()
+            .find("preset: is 3; expected a tissue") != std::string::npos);
 }
 
 TEST_CASE("the shipped liver is made of a tissue of the table") {

@@ -24,14 +24,14 @@ Matrix3d turned(const Vector3d& stretches) {
   return left * stretches.asDiagonal() * right;
 }
 
-Material of(MaterialModel model, double nu) { return {1e5, nu, 1000, 0, model, 0.3}; }
+Material tissue_of(MaterialModel model, double nu) { return {1e5, nu, 1000, 0, model, 0.3}; }
 
 }  // namespace
 
 TEST_CASE("the two parts of every law add up to it, with their derivatives", "[laws]") {
   const MaterialModel model = GENERATE(from_range(material_models()));
   const double nu = GENERATE(-0.5, 0.0, 0.1, 0.3, 0.45, 0.499);
-  const Material material = of(model, nu);
+  const Material material = tissue_of(model, nu);
   const MaterialLaw& law = law_of(model);
   const VolumeSplit split = volume_split(material);
   REQUIRE(split.bulk >= 0);
@@ -82,7 +82,7 @@ TEST_CASE("measures of the change of volume are zero at rest and have the deriva
 TEST_CASE("the pointwise part of every law is stable at rest, whichever Poisson's ratio the whole has", "[laws]") {
   const MaterialModel model = GENERATE(from_range(material_models()));
   for (const double nu : {-0.5, 0.0, 0.1, 0.3, 0.45, 0.499}) {
-    const Material material = of(model, nu);
+    const Material material = tissue_of(model, nu);
     const Material part = volume_split(material).pointwise;
     const Density at_rest = law_of(model).density(Matrix3d::Identity(), part, true);
     // Rotations cost nothing, every strain at least a share of mu that the Poisson's ratio of the part leaves.
@@ -96,8 +96,8 @@ TEST_CASE("the pointwise part of every law is stable at rest, whichever Poisson'
 }
 
 TEST_CASE("laws average all of lambda that leaves no negative volume term", "[laws]") {
-  const auto bulk = [](MaterialModel model, double nu) { return volume_split(of(model, nu)).bulk; };
-  const Material tissue = of(MaterialModel::squared, 0.45);
+  const auto bulk = [](MaterialModel model, double nu) { return volume_split(tissue_of(model, nu)).bulk; };
+  const Material tissue = tissue_of(MaterialModel::squared, 0.45);
   const double lambda = tissue.lame_lambda(), mu = tissue.lame_mu();
   CHECK(bulk(MaterialModel::st_venant_kirchhoff, 0.45) == lambda);
   CHECK(bulk(MaterialModel::signed_st_venant_kirchhoff, 0.45) == lambda);
@@ -107,7 +107,7 @@ TEST_CASE("laws average all of lambda that leaves no negative volume term", "[la
   CHECK(bulk(MaterialModel::squared, 0.45) == Approx(lambda - 2 * mu / 3).epsilon(1e-14));
   for (const MaterialModel model : material_models()) {  // nothing where lambda is negative
     CHECK(bulk(model, -0.2) == 0);
-    CHECK(volume_split(of(model, -0.2)).pointwise == of(model, -0.2));
+    CHECK(volume_split(tissue_of(model, -0.2)).pointwise == tissue_of(model, -0.2));
   }
   CHECK(bulk(MaterialModel::squared, 0.19) == 0);
 }

@@ -14,7 +14,7 @@ using namespace fascia;
 
 namespace {
 
-std::vector<std::uint32_t> file_order(const std::vector<Tet>& tets) {
+std::vector<std::uint32_t> unchanged_order(const std::vector<Tet>& tets) {
   std::vector<std::uint32_t> order(tets.size());
   std::iota(order.begin(), order.end(), 0u);
   return order;
@@ -55,8 +55,8 @@ TEST_CASE("all but a few tets of a mesh find a partner across a face") {
   const std::filesystem::path meshes = std::filesystem::path(FASCIA_SOURCE_DIR) / "assets/meshes";
   for (const char* name : {"cube.msh", "beam.msh", "inclusion.msh", "liver.msh"}) {
     const std::vector<Tet> tets = read_mesh(meshes / name).mesh.tets;
-    const TetPairing pairing = pair_tets(tets, file_order(tets));
-    check_pairs(tets, file_order(tets), pairing);
+    const TetPairing pairing = pair_tets(tets, unchanged_order(tets));
+    check_pairs(tets, unchanged_order(tets), pairing);
     const double single = 1 - 2.0 * pairing.pair_count / static_cast<double>(tets.size());
     CAPTURE(name, single);
     CHECK(single < 0.01);  // 0.0004 to 0.004
@@ -66,7 +66,7 @@ TEST_CASE("all but a few tets of a mesh find a partner across a face") {
 TEST_CASE("an odd tet stays single, between the first and the second ones of pairs, and unlisted tets are ignored") {
   const std::vector<Tet> tets = make_box(1, 1, 1, {1, 1, 1}).tets;
   REQUIRE(tets.size() == 6);  // a ring around the diagonal
-  CHECK(pair_tets(tets, file_order(tets)).pair_count == 3);
+  CHECK(pair_tets(tets, unchanged_order(tets)).pair_count == 3);
   const std::vector<std::uint32_t> some{4, 2, 0, 1, 3};
   const TetPairing pairing = pair_tets(tets, some);
   check_pairs(tets, some, pairing);
@@ -78,9 +78,9 @@ TEST_CASE("an odd tet stays single, between the first and the second ones of pai
 
 TEST_CASE("the order of pairs is the given order") {
   const std::vector<Tet> tets = make_box(8, 8, 8, {1, 1, 1}).tets;
-  const TetPairing pairing = pair_tets(tets, file_order(tets));
+  const TetPairing pairing = pair_tets(tets, unchanged_order(tets));
   for (std::size_t i = 1; i < pairing.pair_count; ++i) REQUIRE(pairing.order[i - 1] < pairing.order[i]);
-  std::vector<std::uint32_t> shuffled = file_order(tets);
+  std::vector<std::uint32_t> shuffled = unchanged_order(tets);
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(3));
   check_pairs(tets, shuffled, pair_tets(tets, shuffled));
 }

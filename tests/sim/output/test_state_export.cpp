@@ -60,7 +60,7 @@ std::map<std::string, Array> arrays(const std::filesystem::path& path, std::stri
 }
 
 template <class Vectors>
-std::vector<double> flat(const Vectors& vectors) {
+std::vector<double> numbers_of(const Vectors& vectors) {
   std::vector<double> out;
   for (const auto& v : vectors) out.insert(out.end(), v.data(), v.data() + v.size());
   return out;
@@ -83,13 +83,13 @@ TEST_CASE("a state as .vtu contains deformed points and every field", "[export]"
   CHECK(back.mesh.groups == mesh.groups);
   CHECK(points.size() == 2 + groups_beyond_regions(mesh).size());
   CHECK(points["displacement"].components == 3);
-  CHECK(points["displacement"].values == flat(fields.displacement));
+  CHECK(points["displacement"].values == numbers_of(fields.displacement));
   CHECK(points["velocity"].components == 3);
-  CHECK(points["velocity"].values == flat(fields.velocity));
+  CHECK(points["velocity"].values == numbers_of(fields.velocity));
   auto cells = arrays(folder / "state.vtu", "CellData");
   CHECK(cells.size() == 4);
   CHECK(cells["green_strain"].components == 6);
-  CHECK(cells["green_strain"].values == flat(fields.green_strain));
+  CHECK(cells["green_strain"].values == numbers_of(fields.green_strain));
   CHECK(cells["von_mises"].values == fields.von_mises);
   CHECK(cells["J"].values == fields.det_f);
   CHECK(cells["region"].values == std::vector<double>{3, 7});
@@ -256,7 +256,7 @@ TEST_CASE("a state in contact has forces and gaps at its vertices, and its tools
   write_state(folder / "state.vtu", mesh, fields, {{"Software", "fascia"}});
   auto points = arrays(folder / "state.vtu", "PointData");
   CHECK(points["contact_force"].components == 3);
-  CHECK(points["contact_force"].values == flat(fields.contact_force));
+  CHECK(points["contact_force"].values == numbers_of(fields.contact_force));
   REQUIRE(points["contact_gap"].values.size() == 6);
   CHECK(std::isnan(points["contact_gap"].values[0]));
   CHECK(points["contact_gap"].values[5] == 5e-3);

@@ -11,8 +11,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-bool left_end(const Vector3d& x) { return x.x() < 1e-9; }
-
 Potential statics(const ElasticSystem& system, VectorXd force) {
   const auto size = static_cast<Eigen::Index>(3 * system.first_dof().size());
   return {{}, VectorXd::Zero(size), VectorXd::Zero(size), VectorXd::Zero(size), std::move(force)};
@@ -30,7 +28,7 @@ const Minimizer::Limits kLimits{100, false, {}};
 }  // namespace
 
 TEST_CASE("a force made of a known deformation gives that deformation back") {
-  const Model model = test::box_model(3, 2, 2, {0.3, 0.2, 0.2}, test::soft(1e4), left_end);
+  const Model model = test::box_model(3, 2, 2, {0.3, 0.2, 0.2}, test::soft(1e4), test::at_left_end);
   const ElasticSystem system(model);
   VectorXd known(static_cast<Eigen::Index>(3 * model.rest_positions.size()));
   for (std::size_t v = 0; v < model.rest_positions.size(); ++v) {  // bent by about a tenth; zero at held vertices
@@ -67,7 +65,7 @@ TEST_CASE("inertia without elastic forces leads to the target plus force over in
 }
 
 TEST_CASE("the result is a minimum: every small step away from it costs energy") {
-  const Model model = test::box_model(2, 1, 1, {0.2, 0.1, 0.1}, test::soft(1e4, 0.4), left_end);
+  const Model model = test::box_model(2, 1, 1, {0.2, 0.1, 0.1}, test::soft(1e4, 0.4), test::at_left_end);
   const ElasticSystem system(model);
   test::Random random(3);
   const auto size = static_cast<Eigen::Index>(3 * model.rest_positions.size());
@@ -90,7 +88,7 @@ TEST_CASE("the result is a minimum: every small step away from it costs energy")
 }
 
 TEST_CASE("the work ends at the limit of iterations, at a request, and where a tet turns inside out") {
-  const Model model = test::box_model(2, 1, 1, {0.2, 0.1, 0.1}, test::soft(1e4), left_end);
+  const Model model = test::box_model(2, 1, 1, {0.2, 0.1, 0.1}, test::soft(1e4), test::at_left_end);
   const ElasticSystem system(model);
   const auto size = static_cast<Eigen::Index>(3 * model.rest_positions.size());
   const Potential pulled = statics(system, VectorXd::Constant(size, 2));
@@ -119,7 +117,7 @@ TEST_CASE("the work ends at the limit of iterations, at a request, and where a t
 }
 
 TEST_CASE("free vertices follow moving held vertices, unless staying costs less energy") {
-  const Model model = test::box_model(3, 1, 1, {0.3, 0.1, 0.1}, test::soft(1e4), left_end);
+  const Model model = test::box_model(3, 1, 1, {0.3, 0.1, 0.1}, test::soft(1e4), test::at_left_end);
   const ElasticSystem system(model);
   const auto size = static_cast<Eigen::Index>(3 * model.rest_positions.size());
   const Potential nothing = statics(system, VectorXd::Zero(size));

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 // The boxes share no vertex.
-Model two_boxes() {
+Model separate_boxes() {
   Model model = test::box_model(9, 4, 4, {0.9, 0.4, 0.4}, test::soft(1e5));
   const Model other = test::box_model(3, 4, 5, {0.3, 0.4, 0.5}, test::soft(1e5));
   const auto first = static_cast<std::uint32_t>(model.rest_positions.size());
@@ -26,7 +26,7 @@ Model two_boxes() {
 TEST_CASE("a vertex's neighbors are in its own node, above or below, whatever the shape") {
   const auto shape = GENERATE(0, 1, 2, 3);
   Model model = test::box_model(40, 3, 3, {4, 0.3, 0.3}, test::soft(1e5));
-  if (shape != 1) model = two_boxes();
+  if (shape != 1) model = separate_boxes();
   std::vector<std::vector<int>> neighbors(model.rest_positions.size());
   for (const Tet& tet : model.tets)
     for (const std::uint32_t v : tet)

@@ -13,11 +13,10 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::at_left_end;
 using test::box_model;
 using test::Random;
 using test::soft;
-
-const auto left_end = [](const Vector3d& x) { return x.x() < 1e-9; };
 
 SolverSettings time_step(double dt, int substeps = 1) {
   SolverSettings settings;
@@ -43,7 +42,7 @@ double largest(const std::vector<Vector3d>& vectors) { return test::flat(vectors
 TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
   for (const double nu : {-0.9, 0.0, 0.3, 0.49, 0.499})
     for (const double damping : {0.0, 0.05}) {
-      Model model = box_model(3, 2, 2, {0.3, 0.2, 0.2}, soft(5e4, nu, damping), left_end);
+      Model model = box_model(3, 2, 2, {0.3, 0.2, 0.2}, soft(5e4, nu, damping), at_left_end);
       model.gravity = {1, -9.81, 2};
       const State before = disturbed(model, 0.004, 0.5, 21);
       State after = before;
@@ -149,7 +148,7 @@ TEST_CASE("free bodies keep momentum, and lose as much angular momentum as impli
 // between the two states, as in vibrations like this one, the total energy decreases as well.
 TEST_CASE("without input the total energy never grows", "[newton]") {
   for (const double nu : {-0.9, 0.3, 0.499}) {
-    Model model = box_model(4, 2, 2, {0.4, 0.1, 0.1}, soft(1e5, nu), left_end);
+    Model model = box_model(4, 2, 2, {0.4, 0.1, 0.1}, soft(1e5, nu), at_left_end);
     State state = disturbed(model, 0.002, 1.0, 24);
     NewtonSolver solver(model, time_step(1.0 / 240));
     double energy = measure(model, state).kinetic + measure(model, state).elastic;
@@ -207,7 +206,7 @@ TEST_CASE("a small vibration of one vertex follows the damped recurrence", "[new
 TEST_CASE("damping takes energy out of a vibration, the more the higher its frequency", "[newton]") {
   double previous = std::numeric_limits<double>::infinity();
   for (const double damping : {0.0, 0.01, 0.04, 0.1}) {
-    Model model = box_model(6, 1, 1, {0.3, 0.05, 0.05}, soft(1e5, 0.3, damping), left_end);
+    Model model = box_model(6, 1, 1, {0.3, 0.05, 0.05}, soft(1e5, 0.3, damping), at_left_end);
     State state = initial_state(model);
     for (std::size_t v = 0; v < state.velocity.size(); ++v)
       state.velocity[v] = Vector3d(0, 0, 2) * model.rest_positions[v].x();
@@ -221,7 +220,7 @@ TEST_CASE("damping takes energy out of a vibration, the more the higher its freq
 }
 
 TEST_CASE("substeps are complete steps", "[newton]") {
-  Model model = box_model(3, 1, 1, {0.3, 0.1, 0.1}, soft(1e5), left_end);
+  Model model = box_model(3, 1, 1, {0.3, 0.1, 0.1}, soft(1e5), at_left_end);
   model.gravity = {0, -9.81, 0};
   State whole = initial_state(model), parts = whole;
   const NewtonReport report = NewtonSolver(model, time_step(1.0 / 30, 4)).step(whole);
@@ -235,7 +234,7 @@ TEST_CASE("substeps are complete steps", "[newton]") {
 }
 
 TEST_CASE("prescribed vertices are on their path at every step and have its velocity", "[newton]") {
-  Model model = box_model(8, 2, 2, {0.4, 0.1, 0.1}, soft(1e5), left_end);
+  Model model = box_model(8, 2, 2, {0.4, 0.1, 0.1}, soft(1e5), at_left_end);
   Motion motion;
   motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.399; });
   motion.axis = {1, 0, 0};
@@ -263,7 +262,7 @@ TEST_CASE("prescribed vertices are on their path at every step and have its velo
 }
 
 TEST_CASE("a jump by half a rotation follows the arc", "[newton]") {
-  Model model = box_model(8, 1, 1, {0.8, 0.1, 0.1}, soft(1e5), left_end);
+  Model model = box_model(8, 1, 1, {0.8, 0.1, 0.1}, soft(1e5), at_left_end);
   Motion motion;
   motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.799; });
   motion.center = {0, 0.05, 0.05};

@@ -18,17 +18,17 @@ using test::Random;
 using Result = ElementDerivatives<10>;
 using Vector30d = Eigen::Matrix<double, 30, 1>;
 
-const Corners kRest{Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0.01, 0.12, 0), Vector3d(0, 0.02, 0.09)};
-const QuadraticTet kTet{LinearTet(kRest)};
+const Corners kStraight{Vector3d(0, 0, 0), Vector3d(0.1, 0, 0), Vector3d(0.01, 0.12, 0), Vector3d(0, 0.02, 0.09)};
+const QuadraticTet kTet{LinearTet(kStraight)};
 
-Material of(MaterialModel model, double nu) { return {1e5, nu, 1000, 0, model, 0.3}; }
+Material tissue_of(MaterialModel model, double nu) { return {1e5, nu, 1000, 0, model, 0.3}; }
 
 Vector30d rest_nodes() {
   Vector30d x;
-  for (int a = 0; a < 4; ++a) x.segment<3>(3 * a) = kRest[static_cast<std::size_t>(a)];
+  for (int a = 0; a < 4; ++a) x.segment<3>(3 * a) = kStraight[static_cast<std::size_t>(a)];
   for (int m = 0; m < 6; ++m) {
     const auto [a, b] = kMidEdgeCorners[static_cast<std::size_t>(m)];
-    x.segment<3>(12 + 3 * m) = 0.5 * (kRest[a] + kRest[b]);
+    x.segment<3>(12 + 3 * m) = 0.5 * (kStraight[a] + kStraight[b]);
   }
   return x;
 }
@@ -69,7 +69,7 @@ PointStrains some_strains(Random& random) {
 TEST_CASE("forces of a quadratic tet are derivatives of its energy, its Hessian of its forces", "[quadratic]") {
   const MaterialModel model = GENERATE(from_range(material_models()));
   const double nu = GENERATE(-0.5, 0.1, 0.3, 0.49), damping_over_h = GENERATE(0.0, 1.5);
-  const Material material = of(model, nu);
+  const Material material = tissue_of(model, nu);
   Random random(21);
   for (const Vector3d& s : kStates) {
     const Vector30d u = bent(random, s, 0.004);
@@ -103,14 +103,14 @@ TEST_CASE("on affine displacements a quadratic tet has the energy of the linear 
   const double nu = GENERATE(-0.5, 0.0, 0.3, 0.499);
   Random random(22);
   for (const Vector3d& s : kStates) {
-    const Material material = of(model, nu);
+    const Material material = tissue_of(model, nu);
     const Matrix3d f = random.rotation() * s.asDiagonal() * random.rotation();
     const Vector30d u = affine(f, {1, -2, 3});
     const Matrix3d before = 0.1 * Matrix3d::Identity();
     const PointStrains previous{before, before, before, before};
     const Result ten = elastic(kTet, nodes(u), material, 1.5, previous, false, false);
     const Corners corners{u.segment<3>(0), u.segment<3>(3), u.segment<3>(6), u.segment<3>(9)};
-    const Derivatives four = elastic(LinearTet(kRest), corners, material, 1.5, before, false, false);
+    const Derivatives four = elastic(LinearTet(kStraight), corners, material, 1.5, before, false, false);
     // Forces: those of the linear tet, with half of a mid-edge node's on either end.
     Vector12d lumped = ten.gradient.head<12>();
     for (int m = 0; m < 6; ++m)
@@ -126,7 +126,7 @@ TEST_CASE("on affine displacements a quadratic tet has the energy of the linear 
 
 TEST_CASE("rigid motion of a quadratic tet costs nothing, and turns its forces with it", "[quadratic]") {
   const MaterialModel model = GENERATE(from_range(material_models()));
-  const Material material = of(model, 0.45);
+  const Material material = tissue_of(model, 0.45);
   Random random(23);
   const Result rigid =
       elastic(kTet, nodes(affine(random.rotation(), {3, 1, -2})), material, 0, no_strains(), true, false);
@@ -155,7 +155,7 @@ TEST_CASE("rigid motion of a quadratic tet costs nothing, and turns its forces w
 }
 
 TEST_CASE("St. Venant-Kirchhoff with averaged pressure has the energy of its formula", "[quadratic]") {
-  const Material material = of(MaterialModel::signed_st_venant_kirchhoff, 0.4);
+  const Material material = tissue_of(MaterialModel::signed_st_venant_kirchhoff, 0.4);
   Random random(24);
   const Vector30d u = bent(random, {1.2, 1.0, 0.9}, 0.003);
   const PointStrains strains = green_strains(kTet, nodes(u));
@@ -170,7 +170,7 @@ TEST_CASE("St. Venant-Kirchhoff with averaged pressure has the energy of its for
 }
 
 TEST_CASE("the clamped Hessian of a quadratic tet has no negative eigenvalue", "[quadratic]") {
-  const Material material = of(MaterialModel::squared, 0.45);
+  const Material material = tissue_of(MaterialModel::squared, 0.45);
   const Vector30d u = affine(Vector3d(0.7, 0.6, 0.5).asDiagonal());
   const auto least = [&](bool project) {
     const Result d = elastic(kTet, nodes(u), material, 0, no_strains(), true, project);
@@ -186,7 +186,7 @@ TEST_CASE("volume ratios of a quadratic tet are those of its points, and of its 
   CHECK(same.min == Approx(8).epsilon(1e-12));
   CHECK(same.max == Approx(8).epsilon(1e-12));
   Vector30d u = Vector30d::Zero();  // the middle of edge 01 moves by 0.3 of the edge, against corner 0
-  u.segment<3>(12) = 0.3 * (kRest[0] - kRest[1]);
+  u.segment<3>(12) = 0.3 * (kStraight[0] - kStraight[1]);
   const VolumeRatios points = volume_ratios(kTet, nodes(u), false), all = volume_ratios(kTet, nodes(u), true);
   CHECK(all.min == Approx(1 - 4 * 0.3).epsilon(1e-12));  // dF at corner 0: 4 u g_1
   CHECK(all.max == Approx(1 + 4 * 0.3).epsilon(1e-12));

@@ -11,13 +11,12 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using test::at_left_end;
 using test::box_model;
 using test::on_surface;
 using test::soft;
 
 const Vector3d cube(0.1, 0.1, 0.1);
-const auto left_end = [](const Vector3d& x) { return x.x() < 1e-9; };
-
 NewtonReport settle(const Model& model, State& state) { return NewtonSolver(model, {}).solve_static(state); }
 
 TEST_CASE("an affine motion of the surface is affine inside, with the energy and reaction of the closed form",
@@ -51,7 +50,7 @@ TEST_CASE("an affine motion of the surface is affine inside, with the energy and
 }
 
 TEST_CASE("an equilibrium at a time has the motions of that time, from rest as from an earlier one", "[static]") {
-  Model model = box_model(3, 3, 3, cube, soft(1e5, 0.3), left_end);
+  Model model = box_model(3, 3, 3, cube, soft(1e5, 0.3), at_left_end);
   Motion motion;
   motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.1 - 1e-9; });
   motion.translate = {0.02, 0.01, 0};
@@ -94,7 +93,7 @@ TEST_CASE("a surface turned once around and moved carries the body along unstrai
 
 TEST_CASE("the pull on a stretched bar is reported separately from its support", "[static]") {
   const double young = 1e5, side = 0.1, length = 0.4, stretch = 1.3;
-  Model model = box_model(8, 2, 2, {length, side, side}, soft(young), left_end);
+  Model model = box_model(8, 2, 2, {length, side, side}, soft(young), at_left_end);
   for (Material& material : model.materials) material.poisson_ratio = 0;
   model.bodies = {{"bar",
                    0,
@@ -123,7 +122,7 @@ TEST_CASE("the pull on a stretched bar is reported separately from its support",
 
 TEST_CASE("a full turn of one end is a twist, because the motion is followed along its path", "[static]") {
   for (const double duration : {0.0, 1.0}) {
-    Model model = box_model(24, 2, 2, {1.2, 0.1, 0.1}, soft(1e5), left_end);
+    Model model = box_model(24, 2, 2, {1.2, 0.1, 0.1}, soft(1e5), at_left_end);
     Motion motion;
     motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 1.199; });
     motion.center = {0, 0.05, 0.05};
@@ -140,7 +139,7 @@ TEST_CASE("a full turn of one end is a twist, because the motion is followed alo
 }
 
 TEST_CASE("supports carry the weight", "[static]") {
-  Model model = box_model(6, 2, 2, {0.4, 0.1, 0.1}, soft(1e5), left_end);
+  Model model = box_model(6, 2, 2, {0.4, 0.1, 0.1}, soft(1e5), at_left_end);
   model.gravity = {0, -9.81, 0};
   State state = initial_state(model);
   const NewtonReport report = settle(model, state);
@@ -181,7 +180,7 @@ TEST_CASE("supports carry the weight", "[static]") {
 TEST_CASE("stiffness does not change the result of a motion, and near nu = 0.5 the volume is constant", "[static]") {
   Eigen::VectorXd soft_displacement;
   for (const double young_modulus : {1e2, 1e9}) {
-    Model model = box_model(4, 2, 2, {0.2, 0.1, 0.1}, soft(young_modulus, 0.499), left_end);
+    Model model = box_model(4, 2, 2, {0.2, 0.1, 0.1}, soft(young_modulus, 0.499), at_left_end);
     Motion motion;
     motion.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() > 0.199; });
     motion.translate = {0.06, 0, 0};
@@ -215,7 +214,7 @@ TEST_CASE("a body without a free vertex follows its motion", "[static]") {
 }
 
 TEST_CASE("a given tolerance is met", "[static]") {
-  Model model = box_model(6, 2, 2, {0.4, 0.1, 0.1}, soft(2e4), left_end);
+  Model model = box_model(6, 2, 2, {0.4, 0.1, 0.1}, soft(2e4), at_left_end);
   model.gravity = {0, -9.81, 0};
   State rough = initial_state(model), fine = rough;
   const NewtonReport early = NewtonSolver(model, {}).solve_static(rough, 1e-2);

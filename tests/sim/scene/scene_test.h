@@ -53,4 +53,9 @@ inline std::string scene_text(const std::string& keys = "", const std::string& t
          (top.empty() ? "" : ", " + top) + "}";
 }
 
+/// A scene of one body with these materials.
+inline std::string scene_with_materials(const std::string& materials) {
+  return scene_text("\"materials\": " + materials);
+}
+
 }  // namespace fascia::test

@@ -18,11 +18,11 @@ using Eigen::Vector3d;
 namespace {
 
 // A soft box, fixed at one side, that sags under its weight.
-struct Box {
+struct RestingBox {
   TemporaryFolder folder;
   Graphics graphics = open_graphics(headless(), false);
   Scene scene;
-  explicit Box(double damping = 0.02) {
+  explicit RestingBox(double damping = 0.02) {
     write_mesh(folder / "box.msh", make_box(4, 2, 2, {0.2, 0.1, 0.1}));
     scene.file = folder / "box.json";
     Body body;
@@ -46,7 +46,7 @@ void step_until_asleep(Simulation& simulation) {
 }  // namespace
 
 TEST_CASE("a body that has come to rest sleeps: no dispatch, the same bits, and time continues", "[sleep]") {
-  Box box;
+  RestingBox box;
   const auto simulation = box.open();
   step_until_asleep(*simulation);
   CAPTURE(simulation->steps_made());
@@ -66,7 +66,7 @@ TEST_CASE("a body that has come to rest sleeps: no dispatch, the same bits, and 
 }
 
 TEST_CASE("a sleeping body lies where one that never sleeps does", "[sleep]") {
-  Box box(GENERATE(0.0, 0.02));
+  RestingBox box(GENERATE(0.0, 0.02));
   const auto sleeping = box.open();
   box.scene.solver.rest_speed = 0;
   const auto awake = box.open();
@@ -92,7 +92,7 @@ TEST_CASE("a sleeping body lies where one that never sleeps does", "[sleep]") {
 // Between two checks an oscillation of 9 um stands still at its turning point: asleep there, the tip was 0.004 % of its
 // displacement from the equilibrium.
 TEST_CASE("a body falls asleep in its static equilibrium, not at the turning point of an oscillation", "[sleep]") {
-  Box box(0.05);
+  RestingBox box(0.05);
   write_mesh(box.folder / "beam.msh", make_box(24, 6, 6, {1, 0.25, 0.25}));
   box.scene.bodies[0].mesh = "beam.msh";
   box.scene.bodies[0].material.young_modulus = 1e6;
@@ -114,7 +114,7 @@ TEST_CASE("a body falls asleep in its static equilibrium, not at the turning poi
 }
 
 TEST_CASE("a method whose fixed point is no equilibrium sleeps after a second at rest", "[sleep]") {
-  Box box;
+  RestingBox box;
   box.scene.solver.method = Method::mass_splitting;
   box.scene.solver.acceleration = Acceleration::none;
   const auto sleeping = box.open();
@@ -136,7 +136,7 @@ TEST_CASE("a method whose fixed point is no equilibrium sleeps after a second at
 }
 
 TEST_CASE("every change that affects a sleeping body wakes it, and no other", "[sleep]") {
-  Box box;
+  RestingBox box;
   const auto simulation = box.open();
   const GrabInput springs{{44, {0.01, 0, 0}, 200}};
   simulation->set_grab(springs);
@@ -177,7 +177,7 @@ TEST_CASE("every change that affects a sleeping body wakes it, and no other", "[
 }
 
 TEST_CASE("sleep begins at the same step in every run, and ends in the same bits", "[sleep]") {
-  Box box;
+  RestingBox box;
   long begins[2];
   State states[2];
   for (int run = 0; run < 2; ++run) {
@@ -197,7 +197,7 @@ TEST_CASE("sleep begins at the same step in every run, and ends in the same bits
 }
 
 TEST_CASE("nothing sleeps before a prescribed motion has ended", "[sleep]") {
-  Box box;
+  RestingBox box;
   PrescribedMotion motion;
   motion.select = BoxSelection{{0.2 - 1e-6, -1, -1}, {0.2 + 1e-6, 1, 1}};
   motion.translate = {0, 0.01, 0};
@@ -213,7 +213,7 @@ TEST_CASE("nothing sleeps before a prescribed motion has ended", "[sleep]") {
 }
 
 TEST_CASE("every method falls asleep, unless its iterations never stop moving the body", "[sleep]") {
-  Box box;
+  RestingBox box;
   const SolverChoice pair = GENERATE(from_range(solver_choices()));
   box.scene.solver.method = pair.method;
   box.scene.solver.acceleration = pair.acceleration;

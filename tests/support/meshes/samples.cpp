@@ -25,6 +25,13 @@ std::vector<MeshSample> all_samples() {
   return all;
 }
 
+std::string sample_content(const std::string& file) {
+  for (const MeshSample& one : all_samples())
+    if (one.file == file) return one.content;
+  FAIL("no sample " << file);
+  return "";
+}
+
 namespace {
 
 void write_raw(const std::filesystem::path& path, const std::string& content) {

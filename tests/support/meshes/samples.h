@@ -32,6 +32,8 @@ std::vector<MeshSample> vtk_samples();
 std::vector<MeshSample> vtu_samples();
 std::vector<MeshSample> other_samples();
 std::vector<MeshSample> all_samples();
+/// The content of the sample of this name, which must be one of them.
+std::string sample_content(const std::string& file);
 
 /// Writes a sample into a folder and returns the path to open.
 std::filesystem::path write_sample(const TemporaryFolder& folder, const MeshSample& sample);

@@ -21,6 +21,11 @@
 #include "app/system/user_settings.h"
 
 namespace fascia::test {
+
+std::vector<std::string> with_size(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)});
+  return arguments;
+}
 namespace fs = std::filesystem;
 namespace {
 
@@ -265,6 +270,10 @@ Image right_part(const Image& image, int left) {
     part.rgba.insert(part.rgba.end(), row + 4 * left, row + 4 * image.width);
   }
   return part;
+}
+
+double changed_beside_panels(const Screenshot& from, const Screenshot& to) {
+  return difference(right_part(from.image, kPanels), right_part(to.image, kPanels)).share;
 }
 
 }  // namespace fascia::test

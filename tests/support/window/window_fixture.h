@@ -13,6 +13,15 @@
 
 namespace fascia::test {
 
+/// The size of most windows [px]; slightly more than the width of the column of panels; the middle of the area beside
+/// it.
+constexpr int kWidth = 1000, kHeight = 700, kPanels = 340, kMiddle = (kPanels + kWidth) / 2;
+/// Of windows whose panels need more room.
+constexpr int kLargeWidth = 1280, kLargeHeight = 720, kLargeMiddle = (kPanels + kLargeWidth) / 2;
+
+/// The arguments and a window of kWidth x kHeight.
+std::vector<std::string> with_size(std::vector<std::string> arguments);
+
 /// Xvfb on a separate display number; DISPLAY refers to it while it exists, and the home folder for the window's
 /// settings is separate, too: that of an experienced user who needs no hints.
 class VirtualDisplay {
@@ -87,5 +96,8 @@ bool eventually(const std::function<bool()>& condition);
 
 /// The columns from `left` on: the picture without the panels.
 Image right_part(const Image& image, int left);
+
+/// The share of changed pixels beside the column of panels.
+double changed_beside_panels(const Screenshot& from, const Screenshot& to);
 
 }  // namespace fascia::test

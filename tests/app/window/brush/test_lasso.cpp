@@ -16,15 +16,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr BrushedPicture kPicture{600, 400};
+constexpr BrushedPicture kWidePicture{600, 400};
 const std::vector<Vector2d> kAll{{-10, -10}, {610, -10}, {610, 410}, {-10, 410}};
 
-struct Cube {
+struct FacedCube {
   Graphics graphics = open_graphics(headless(), false);
   Session session{graphics, open_scene(source_dir() / "assets/scenes/cube.json"), false};
   const Model& model() const { return session.simulation.model; }
   /// Looks at the cube along -z, at the middle of the picture.
-  Cube() {
+  FacedCube() {
     session.camera.eye = session.look.center + Vector3d(0, 0, 8 * session.look.radius);
     session.camera.target = session.look.center;
   }
@@ -53,8 +53,8 @@ TEST_CASE("a lasso keeps the places of its way, and is empty afterwards") {
 }
 
 TEST_CASE("a lasso around everything takes the vertices of the side that is seen") {
-  Cube cube;
-  const std::vector<std::uint32_t> seen = vertices_within(kAll, kPicture, cube.session);
+  FacedCube cube;
+  const std::vector<std::uint32_t> seen = vertices_within(kAll, kWidePicture, cube.session);
   const double front = cube.box().max().z();
   std::vector<std::uint32_t> expected;
   for (const Triangle& t : boundary_triangles(cube.model().tets))
@@ -67,16 +67,16 @@ TEST_CASE("a lasso around everything takes the vertices of the side that is seen
 
   INFO("a curve around the left half of the picture");
   const std::vector<Vector2d> left{{-10, -10}, {300, -10}, {300, 410}, {-10, 410}};
-  for (const std::uint32_t v : vertices_within(left, kPicture, cube.session))
+  for (const std::uint32_t v : vertices_within(left, kWidePicture, cube.session))
     CHECK(cube.model().rest_positions[v].x() <= cube.session.look.center.x() + 1e-6);
-  CHECK(vertices_within({{1, 1}, {20, 1}, {20, 20}}, kPicture, cube.session).empty());  // beside the tissue
-  CHECK(vertices_within({{300, 200}, {301, 200}}, kPicture, cube.session).empty());     // no area
+  CHECK(vertices_within({{1, 1}, {20, 1}, {20, 20}}, kWidePicture, cube.session).empty());  // beside the tissue
+  CHECK(vertices_within({{300, 200}, {301, 200}}, kWidePicture, cube.session).empty());     // no area
 }
 
 TEST_CASE("a lasso takes tets to a depth behind the visible side, or all of them") {
-  Cube cube;
+  FacedCube cube;
   const std::vector<Tet>& tets = cube.model().tets;
-  CHECK(tets_within(kAll, kPicture, cube.session, std::nullopt).size() == tets.size());
+  CHECK(tets_within(kAll, kWidePicture, cube.session, std::nullopt).size() == tets.size());
   const auto corner_depth = [&](std::uint32_t t) {
     double depth = 1e9;
     for (const std::uint32_t v : tets[t])
@@ -86,7 +86,7 @@ TEST_CASE("a lasso takes tets to a depth behind the visible side, or all of them
   const double half = 0.5 * cube.box().sizes().z();
   for (const double depth : {0.0, half}) {
     CAPTURE(depth);
-    const std::vector<std::uint32_t> taken = tets_within(kAll, kPicture, cube.session, depth);
+    const std::vector<std::uint32_t> taken = tets_within(kAll, kWidePicture, cube.session, depth);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t t = 0; t < tets.size(); ++t)
       if (corner_depth(t) <= depth + 0.002 * cube.session.look.radius) expected.push_back(t);
@@ -97,13 +97,13 @@ TEST_CASE("a lasso takes tets to a depth behind the visible side, or all of them
 }
 
 TEST_CASE("a lasso on a section plane begins at the cut and leaves what is cut away") {
-  Cube cube;
+  FacedCube cube;
   DisplaySettings display = cube.session.display();
   const double cut = cube.session.look.center.z();
   display.section = SectionPlane{{0, 0, 1}, 0};
   cube.session.set_display(display);
   REQUIRE(shown_cut(cube.session.look)->offset == Approx(cut).margin(1e-6));
-  const std::vector<std::uint32_t> taken = tets_within(kAll, kPicture, cube.session, 0.0);
+  const std::vector<std::uint32_t> taken = tets_within(kAll, kWidePicture, cube.session, 0.0);
   REQUIRE_FALSE(taken.empty());
   const std::vector<Vector3d> centers = centroids_of(cube.model().tets, cube.model().rest_positions);
   for (const std::uint32_t t : taken) {
@@ -112,6 +112,6 @@ TEST_CASE("a lasso on a section plane begins at the cut and leaves what is cut a
     for (const std::uint32_t v : cube.model().tets[t]) highest = std::max(highest, cube.model().rest_positions[v].z());
     CHECK(highest >= cut - 0.002 * cube.session.look.radius - 1e-6);
   }
-  for (const std::uint32_t v : vertices_within(kAll, kPicture, cube.session))
+  for (const std::uint32_t v : vertices_within(kAll, kWidePicture, cube.session))
     CHECK(cube.model().rest_positions[v].z() <= cut + 1e-6);
 }

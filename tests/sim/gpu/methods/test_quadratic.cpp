@@ -33,7 +33,7 @@ SolverSettings settings_with(int iterations) {
   return settings;
 }
 
-void run(const Passes& passes) {
+void run_all(const Passes& passes) {
   for (const gl::ComputePass& pass : passes) pass.run();
 }
 
@@ -189,11 +189,11 @@ TEST_CASE("deferred quadratic tets take part in a step like the others", "[gpu]"
     const Passes blocks = method.refresh(recording);
     if (defers) recording.deferred = &deferred.emplace(method.most_deferred(buffers, false));
     method.prepare(recording);
-    run(method.begin(recording));
-    run(blocks);
+    run_all(method.begin(recording));
+    run_all(blocks);
     for (const bool first : {true, false}) {
-      run(method.gradient()->passes(recording));
-      run(method.iteration(recording, first));
+      run_all(method.gradient()->passes(recording));
+      run_all(method.iteration(recording, first));
     }
     reached[defers] = buffers.download_vectors(buffers.displacement);
     if (!defers) continue;

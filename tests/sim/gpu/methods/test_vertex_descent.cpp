@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-Model beam(MaterialModel material) {
+Model thin_beam(MaterialModel material) {
   return make_model(make_box(6, 3, 3, {0.3, 0.1, 0.1}), {2e4, 0.3, 1000, 0, material},
                     [](const Vector3d& x) { return x.x() < 1e-9; });
 }
@@ -24,7 +24,7 @@ Model beam(MaterialModel material) {
 
 TEST_CASE("deferred vertices move as they do in place", "[gpu]") {
   Gpu gpu(GENERATE(gl::LoadPath::texel, gl::LoadPath::storage));
-  const Model model = beam(MaterialModel::signed_st_venant_kirchhoff);
+  const Model model = thin_beam(MaterialModel::signed_st_venant_kirchhoff);
   SolverSettings settings;
   settings.method = Method::vertex_descent;
   const double amplitude = GENERATE(0.0, 0.004, 0.02);  // [m] the last one inverts many tets
@@ -61,7 +61,7 @@ TEST_CASE("deferred vertices move as they do in place", "[gpu]") {
 
 TEST_CASE("a change of method allocates memory for the pairs that the new one defers", "[gpu]") {
   Gpu gpu;
-  const Model model = beam(MaterialModel::signed_st_venant_kirchhoff);
+  const Model model = thin_beam(MaterialModel::signed_st_venant_kirchhoff);
   SolverSettings settings;
   GpuSolver solver(gpu.programs, model, settings);
   CHECK(gl::bytes_by_buffer().at("deferred_items") == 4 * (4 + solver.buffers().pair_and_single_count()));

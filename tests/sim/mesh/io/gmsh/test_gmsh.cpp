@@ -10,25 +10,17 @@ using namespace fascia::test;
 
 namespace {
 
-std::string sample(const std::string& file) {
-  for (const MeshSample& one : gmsh_samples()) {
-    if (one.file == file) return one.content;
-  }
-  FAIL("no sample " << file);
-  return "";
-}
-
 std::string v2_error(const std::string& from, const std::string& to) {
-  return error_of("m.msh", replaced(sample("v2.msh"), from, to));
+  return error_of("m.msh", replaced(sample_content("v2.msh"), from, to));
 }
 std::string v4_error(const std::string& from, const std::string& to) {
-  return error_of("m.msh", replaced(sample("v4.msh"), from, to));
+  return error_of("m.msh", replaced(sample_content("v4.msh"), from, to));
 }
 
 }  // namespace
 
 TEST_CASE("Gmsh: a volume in two groups has the first as region and both as groups", "[mesh_io]") {
-  const std::string text = replaced(sample("v4.msh"), "1 0 0 0 1 1 1 1 3 1 1", "1 0 0 0 1 1 1 2 3 21 1 1");
+  const std::string text = replaced(sample_content("v4.msh"), "1 0 0 0 1 1 1 1 3 1 1", "1 0 0 0 1 1 1 2 3 21 1 1");
   const TetMesh mesh = read_mesh_content("m.msh", text).mesh;
   CHECK(mesh.regions == std::vector<int>{3, 7});
   CHECK(mesh.groups.at("left part") == std::vector<std::uint32_t>{0, 1, 2, 3});
@@ -36,7 +28,7 @@ TEST_CASE("Gmsh: a volume in two groups has the first as region and both as grou
 }
 
 TEST_CASE("Gmsh: groups of one name are one group", "[mesh_io]") {
-  const std::string text = replaced(sample("v2.msh"), "\"clamp\"", "\"tip\"");
+  const std::string text = replaced(sample_content("v2.msh"), "\"clamp\"", "\"tip\"");
   const TetMesh mesh = read_mesh_content("m.msh", text).mesh;
   CHECK(mesh.groups.at("tip") == std::vector<std::uint32_t>{0, 1, 2, 4});
   CHECK(mesh.groups.count("clamp") == 0);
@@ -64,7 +56,7 @@ TEST_CASE("Gmsh: sections that are not about the mesh are skipped, wherever they
   for (const std::string file : {"v1.msh", "v2.msh", "v2_little.msh", "v4.msh", "v4_big.msh"}) {
     INFO(file);
     const std::string before = "$Comments\nmade by $grab\n$EndComments\n$POS\n1 2 3\n$ENDPOS\n";
-    const TetMesh mesh = read_mesh_content("m.msh", before + sample(file) + before).mesh;
+    const TetMesh mesh = read_mesh_content("m.msh", before + sample_content(file) + before).mesh;
     CHECK(mesh.tets == sample_mesh().tets);
     CHECK(mesh.regions == sample_mesh().regions);
   }
@@ -110,7 +102,7 @@ TEST_CASE("Gmsh: bad nodes", "[mesh_io]") {
   CHECK(v4_error("3 6 3 2000000000", "3 5 3 2000000000") == "m.msh:33: $Nodes: block of 1 nodes; expected at most 0");
   CHECK(v4_error("3 6 3 2000000000", "3 1000000000000 3 2000000000")
             .starts_with("m.msh:20: $Nodes: claims 1000000000000 nodes but only "));
-  CHECK(read_mesh_content("m.msh", replaced(sample("v2.msh"), "3 1 0 0", "3 +1 1e-999 0")).mesh.positions[1] ==
+  CHECK(read_mesh_content("m.msh", replaced(sample_content("v2.msh"), "3 1 0 0", "3 +1 1e-999 0")).mesh.positions[1] ==
         Eigen::Vector3d(1, 0, 0));
 }
 
@@ -139,7 +131,7 @@ TEST_CASE("Gmsh: bad elements", "[mesh_io]") {
 }
 
 TEST_CASE("Gmsh: bad binary files name the byte", "[mesh_io]") {
-  const std::string v2 = sample("v2_little.msh"), v4 = sample("v4_little.msh");
+  const std::string v2 = sample_content("v2_little.msh"), v4 = sample_content("v4_little.msh");
   const std::size_t nodes = v2.find("$Nodes\n6\n") + 9;
   const auto bytes = [](const auto value) { return Bytes().add(value).text; };
   const auto at = [](const std::string& where, std::size_t byte) {

@@ -13,13 +13,6 @@ using namespace fascia::test;
 
 namespace {
 
-std::string sample(const std::string& file) {
-  for (const MeshSample& one : gmsh_samples())
-    if (one.file == file) return one.content;
-  FAIL("no sample " << file);
-  return "";
-}
-
 bool notes_mention(const MeshFile& file, const std::string& text) {
   for (const std::string& note : file.notes)
     if (note.find(text) != std::string::npos) return true;
@@ -70,7 +63,7 @@ TEST_CASE("Gmsh: data of nodes and elements is skipped, with or without a line b
       for (const std::string before_end : {"", "\n"}) {
         const std::string data = data_section(name, big_endian, 2, 2, 0.5, before_end);
         const std::string head = "$EndMeshFormat\n";
-        const std::string whole = sample(file);
+        const std::string whole = sample_content(file);
         CHECK(notes_mention(check_read(std::string(file) + " " + name + " behind", whole + data), "$" + name));
         check_read(std::string(file) + " " + name + " before", replaced(whole, head, head + data));
       }
@@ -87,8 +80,9 @@ TEST_CASE("Gmsh: numbers that look like a tag do not end a section", "[mesh_io]"
       data.add(entry).add(number_of("$EndNode", big_endian)).add(number_of("Data\n$No", big_endian));
     data.add_text("$EndNodeData\n");
     REQUIRE(data.text.find("$EndNodeData\n") < data.text.size() - 20);
-    const MeshFile read = check_read(std::string(file) + " with tags among its numbers",
-                                     replaced(sample(file), "$EndMeshFormat\n", "$EndMeshFormat\n" + data.text));
+    const MeshFile read =
+        check_read(std::string(file) + " with tags among its numbers",
+                   replaced(sample_content(file), "$EndMeshFormat\n", "$EndMeshFormat\n" + data.text));
     CHECK_FALSE(notes_mention(read, "between sections"));
   }
 }
@@ -98,7 +92,7 @@ TEST_CASE("Gmsh: counts of a skipped section need not be correct", "[mesh_io]") 
     for (const std::string name : {"NodeData", "ElementData", "ElementNodeData"}) {
       const std::string data = data_section(name, false, components, entries, 0.5, "");
       check_read(name + " of " + std::to_string(entries) + " times " + std::to_string(components),
-                 replaced(sample("v2_little.msh"), "$EndMeshFormat\n", "$EndMeshFormat\n" + data + data));
+                 replaced(sample_content("v2_little.msh"), "$EndMeshFormat\n", "$EndMeshFormat\n" + data + data));
     }
   }
 }
@@ -107,16 +101,16 @@ TEST_CASE("Gmsh: a section without an end affects only itself", "[mesh_io]") {
   for (const std::string file : {"v2.msh", "crlf.msh", "v4.msh", "v2_little.msh", "v4_big.msh"}) {
     const std::string end = file == "crlf.msh" ? "\r\n" : "\n", head = "$EndMeshFormat" + end,
                       open = "$Views" + end + "1 2 3" + end;
-    CHECK(notes_mention(check_read(file + ", open section before", replaced(sample(file), head, head + open)),
+    CHECK(notes_mention(check_read(file + ", open section before", replaced(sample_content(file), head, head + open)),
                         "Section without an end: $Views"));
-    CHECK(notes_mention(check_read(file + ", open section behind", sample(file) + open), "$Views"));
-    check_read(file + ", two open ones", replaced(sample(file), head, head + open + open));
-    check_read(file + ", end tag alone", replaced(sample(file), head, head + "$EndViews" + end));
+    CHECK(notes_mention(check_read(file + ", open section behind", sample_content(file) + open), "$Views"));
+    check_read(file + ", two open ones", replaced(sample_content(file), head, head + open + open));
+    check_read(file + ", end tag alone", replaced(sample_content(file), head, head + "$EndViews" + end));
     check_read(file + ", text",
-               "# made by hand" + end + replaced(sample(file), head, head + "some text" + end + "$" + end));
+               "# made by hand" + end + replaced(sample_content(file), head, head + "some text" + end + "$" + end));
   }
   // The end of a later section with the same name does not end an earlier one.
-  const std::string twice = replaced(sample("v2.msh"), "$EndMeshFormat\n", "$EndMeshFormat\n$NodeData\n1\n");
+  const std::string twice = replaced(sample_content("v2.msh"), "$EndMeshFormat\n", "$EndMeshFormat\n$NodeData\n1\n");
   CHECK(notes_mention(check_read("NodeData with and without an end", twice), "Section without an end: $NodeData"));
 }
 
@@ -128,17 +122,17 @@ TEST_CASE("Gmsh: the end tag of a section may be missing if its counts are met",
                               : name == "Elements" ? "$ENDELM\n"
                                                    : "";
       if (tag.empty()) continue;
-      CHECK(
-          notes_mention(check_read(file + " without " + tag.substr(0, tag.size() - 1), replaced(sample(file), tag, "")),
-                        "is missing"));
+      CHECK(notes_mention(
+          check_read(file + " without " + tag.substr(0, tag.size() - 1), replaced(sample_content(file), tag, "")),
+          "is missing"));
     }
   }
-  const std::string v2 = sample("v2.msh");
+  const std::string v2 = sample_content("v2.msh");
   CHECK(notes_mention(check_read("cut off behind the last element", v2.substr(0, v2.find("$EndElements"))), "cut off"));
 }
 
 TEST_CASE("Gmsh: extra numbers after an entity have no effect", "[mesh_io]") {
-  const std::string v4 = sample("v4.msh");
+  const std::string v4 = sample_content("v4.msh");
   std::string all = v4;
   const std::size_t begin = all.find("$Entities\n") + 10, end = all.find("$EndEntities");
   std::string lines;
@@ -162,7 +156,7 @@ TEST_CASE("Gmsh: extra numbers after an entity have no effect", "[mesh_io]") {
 }
 
 TEST_CASE("Gmsh: entities that are not one per line are read by number, and invalid ones are left out", "[mesh_io]") {
-  const std::string v4 = sample("v4.msh");
+  const std::string v4 = sample_content("v4.msh");
   const std::size_t begin = v4.find("$Entities\n") + 10, end = v4.find("$EndEntities");
   std::string one_line = v4.substr(begin, end - begin), one_each = one_line;
   std::replace(one_line.begin(), one_line.end(), '\n', ' ');
@@ -177,16 +171,17 @@ TEST_CASE("Gmsh: entities that are not one per line are read by number, and inva
     CHECK(file.mesh.regions == std::vector<int>{0, 0});
     CHECK(notes_mention(file, "Section $Entities cannot be understood"));
   }
-  std::string binary = sample("v4_little.msh");
+  std::string binary = sample_content("v4_little.msh");
   binary.replace(binary.find("$Entities\n") + 10, 8, Bytes().add(~std::uint64_t{0}).text);
   CHECK(notes_mention(check_read("binary entities without sense", binary), "Section $Entities cannot be understood"));
-  CHECK(notes_mention(check_read("names without quotes", replaced(sample("v2.msh"), "2 11 \"clamp\"", "2 11 clamp")),
-                      "Section $PhysicalNames cannot be understood and is passed over: m.msh:7: $PhysicalNames: "
-                      "physical name is ' clamp'"));
+  CHECK(notes_mention(
+      check_read("names without quotes", replaced(sample_content("v2.msh"), "2 11 \"clamp\"", "2 11 clamp")),
+      "Section $PhysicalNames cannot be understood and is passed over: m.msh:7: $PhysicalNames: "
+      "physical name is ' clamp'"));
 }
 
 TEST_CASE("Gmsh: parametric nodes of version 2", "[mesh_io]") {
-  const std::string v2 = sample("v2.msh");
+  const std::string v2 = sample_content("v2.msh");
   const std::size_t begin = v2.find("$Nodes\n") + 9, end = v2.find("$EndNodes");
   std::string lines;
   for (const char c : v2.substr(begin, end - begin))
@@ -206,14 +201,14 @@ TEST_CASE("Gmsh: parametric nodes of version 2", "[mesh_io]") {
       for (int k = 0; dimensions[v] < 3 && k < dimensions[v]; ++k) nodes.add(0.5);
     }
     nodes.add_text("$EndParametricNodes\n");
-    std::string binary = sample(big_endian ? "v2_big.msh" : "v2_little.msh");
+    std::string binary = sample_content(big_endian ? "v2_big.msh" : "v2_little.msh");
     const std::size_t from = binary.find("$Nodes"), to = binary.find("$Elements");
     check_read("binary", binary.replace(from, to - from, nodes.text));
   }
 }
 
 TEST_CASE("Gmsh: a missing section that a mesh needs is named", "[mesh_io]") {
-  const std::string v2 = sample("v2.msh"), v4 = sample("v4_little.msh");
+  const std::string v2 = sample_content("v2.msh"), v4 = sample_content("v4_little.msh");
   const auto without = [](std::string text, const std::string& name) {
     const std::size_t from = text.find("$" + name), to = text.find("$End" + name) + 5 + name.size();
     return text.erase(from, to - from);
@@ -235,7 +230,7 @@ TEST_CASE("Gmsh: a missing section that a mesh needs is named", "[mesh_io]") {
 TEST_CASE("Gmsh: tags are found in one pass, for any number of sections without an end", "[mesh_io]") {
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
   for (int i = 0; i < 50000; ++i) text += "$Section" + std::to_string(i) + "\n$PhysicalNames\n0\n$EndPhysicalNames\n";
-  const MeshFile file = check_read("50,000 sections without an end", text + sample("v2.msh"));
+  const MeshFile file = check_read("50,000 sections without an end", text + sample_content("v2.msh"));
   CHECK(notes_mention(file, "and 49992 more; the file may be cut off"));
   const GmshTags tags("x$EndA$EndA\n$B\nx$B $C\n$EndB");
   CHECK(tags.find("$EndA", 0) == 6u);

@@ -10,23 +10,15 @@ using namespace fascia::test;
 
 namespace {
 
-std::string sample(const std::string& file) {
-  for (const MeshSample& one : all_samples()) {
-    if (one.file == file) return one.content;
-  }
-  FAIL("no sample " << file);
-  return "";
-}
-
 std::string vtk_error(const std::string& from, const std::string& to) {
-  return error_of("m.vtk", replaced(sample("old_text.vtk"), from, to));
+  return error_of("m.vtk", replaced(sample_content("old_text.vtk"), from, to));
 }
 std::string vtu_error(const std::string& from, const std::string& to) {
-  return error_of("m.vtu", replaced(sample("text.vtu"), from, to));
+  return error_of("m.vtu", replaced(sample_content("text.vtu"), from, to));
 }
 
 std::vector<int> regions_of_array(const std::string& name, const std::string& type, const std::string& values) {
-  std::string text = replaced(sample("old_text.vtk"), "SCALARS Material int", "SCALARS " + name + " " + type);
+  std::string text = replaced(sample_content("old_text.vtk"), "SCALARS Material int", "SCALARS " + name + " " + type);
   text = replaced(text, "1 5 11 3 7", values);
   return read_mesh_content("m.vtk", text).mesh.regions;
 }
@@ -44,8 +36,8 @@ TEST_CASE("VTK: cell arrays that contain regions", "[mesh_io]") {
   CHECK(regions_of_array("region", "double", "1 5 11 nan 1e300") == std::vector<int>{0, 0});
 
   // the more specific name is preferred, wherever it is
-  const std::string both =
-      replaced(sample("old_text.vtk"), "POINT_DATA", "SCALARS region int\nLOOKUP_TABLE default\n1 2 3 4 5\nPOINT_DATA");
+  const std::string both = replaced(sample_content("old_text.vtk"), "POINT_DATA",
+                                    "SCALARS region int\nLOOKUP_TABLE default\n1 2 3 4 5\nPOINT_DATA");
   const MeshFile file = read_mesh_content("m.vtk", both);
   CHECK(file.mesh.regions == std::vector<int>{4, 5});
   CHECK(file.notes == std::vector<std::string>{"Regions are those of the cell array 'region'."});
@@ -102,19 +94,19 @@ TEST_CASE("VTK legacy: bad files", "[mesh_io]") {
   CHECK(error_of("m.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n1 2 3\n") ==
         "m.vtk:7: has no cells; expected CELLS and CELL_TYPES");
 
-  std::string binary = sample("new_binary.vtk");
+  std::string binary = sample_content("new_binary.vtk");
   const std::size_t points = binary.find("POINTS 6 double\n") + 16;
   binary.replace(points + 8, 8, Bytes(true).add(std::nan("")).text);
   CHECK(error_of("m.vtk", binary) ==
         "m.vtk: byte " + std::to_string(points) + ", POINTS: coordinate y of point 0 is nan; expected a finite number");
-  binary = sample("new_binary.vtk");
+  binary = sample_content("new_binary.vtk");
   const std::size_t offsets = binary.find("OFFSETS vtktypeint64\n") + 21;
   binary.replace(offsets + 8, 8, Bytes(true).add(std::int64_t{1} << 60).text);
   CHECK(error_of("m.vtk", binary).ends_with("cell 0 ends at offset 1152921504606846976; expected 0 to 14"));
 }
 
 TEST_CASE("VTU: two pieces make one mesh", "[mesh_io]") {
-  const std::string one = sample("text.vtu");
+  const std::string one = sample_content("text.vtu");
   const std::size_t begin = one.find("<Piece"), end = one.find("</UnstructuredGrid>");
   const std::string piece = one.substr(begin, end - begin);
   const TetMesh mesh = read_mesh_content("m.vtu", one.substr(0, end) + piece + one.substr(end)).mesh;
