@@ -27,7 +27,7 @@ TEST_CASE("the sensitivity is the difference of two outcomes in the units of the
   const Outcome a = outcome_with({{0, 0, 0}, {0, 1, 0}}, 100, 10), b = outcome_with({{0, 0, 0}, {0, 1, 0.5}}, 151, 12);
   const Sensitivity found = sensitivity_of(a, b);
   CHECK(found.state == Approx(0.25));
-  CHECK(found.mean == Approx(0.5 * 0.2));  // 51 of 255 in one of two pixels
+  CHECK(found.mean == Approx(0.2 * 3 / 8));  // 51 of 255 in three of eight channels
   CHECK(found.share == Approx(0.5));
   CHECK(found.contact == Approx(0.2));
   const Sensitivity none = sensitivity_of(a, a);
