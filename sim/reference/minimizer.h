@@ -49,7 +49,10 @@ class Minimizer {
     double force_scale = 0;    // [N] NewtonReport
   };
   Value evaluate(const Potential& potential, const Eigen::VectorXd& u) const;
+  NewtonReport descend(const Potential& potential, double tolerance, const Limits& limits, Eigen::VectorXd& u);
   void factorize(const Potential& potential, const Eigen::VectorXd& u);
+  /// Whether the factor is that of the same problem, at a place where it was solved before.
+  bool has_factor_of(const Potential& potential) const;
   void add_contact(const ContactEnergy& contact, const Eigen::VectorXd& u, bool project, Eigen::VectorXd& scale);
   void couple(const PairEnergy& pairs, const Eigen::VectorXd& u, Eigen::VectorXd& scale);
   bool factorize_sum(double shift = 0);
@@ -64,6 +67,11 @@ class Minimizer {
   using CoupledCholesky = Eigen::SimplicialLLT<SparseMatrix, Eigen::Upper>;
   std::unique_ptr<CoupledCholesky> coupled_;
   SparseMatrix coupled_hessian_;
+  struct Factored {
+    Eigen::VectorXd inertia;
+    double length = 0;  // [s] ViscousStep::h
+  };
+  Factored factored_;    // what the factor is of, without contact and unprojected; else empty
   double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorization
 };
 

@@ -64,6 +64,28 @@ TEST_CASE("inertia without elastic forces leads to the target plus force over in
   CHECK(error < 1e-8 * u.norm());
 }
 
+TEST_CASE("a minimizer that has solved a problem solves a neighboring one as a new minimizer does") {
+  const Model model = test::box_model(3, 2, 2, {0.3, 0.2, 0.2}, test::soft(1e4, 0.4), left_end);
+  const ElasticSystem system(model);
+  test::Random random(5);
+  const auto size = static_cast<Eigen::Index>(3 * model.rest_positions.size());
+  Potential first = statics(system, 0.3 * random.vector(size));
+  first.inertia.setConstant(50);
+  Potential near = first, heavier = first;
+  near.force *= 1.1;
+  heavier.inertia *= 2;  // the factor is of no use
+  Minimizer used(system);
+  for (const Potential& potential : {first, near, heavier, near}) {
+    VectorXd u = VectorXd::Zero(size), alone = u;
+    const NewtonReport again = used.minimize(potential, 1e-12, kLimits, u);
+    const NewtonReport fresh = Minimizer(system).minimize(potential, 1e-12, kLimits, alone);
+    CAPTURE(again.iterations, fresh.iterations, again.relative_residual, (u - alone).norm() / alone.norm());
+    CHECK(again.converged);
+    CHECK(again.relative_residual <= 1e-12);
+    CHECK((u - alone).norm() < 1e-11 * alone.norm());
+  }
+}
+
 TEST_CASE("the result is a minimum: every small step away from it costs energy") {
   const Model model = test::box_model(2, 1, 1, {0.2, 0.1, 0.1}, test::soft(1e4, 0.4), test::at_left_end);
   const ElasticSystem system(model);
