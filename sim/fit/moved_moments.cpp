@@ -1,5 +1,10 @@
 #include "sim/fit/moved_moments.h"
 
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "sim/fit/in_parallel.h"
 #include "sim/reference/tangent/static_tangent.h"
 #include "sim/reference/tangent/step_tangent.h"
 
@@ -39,22 +44,29 @@ class Mover {
     return true;
   }
 
+  // The factors of a few stages at once, on as many cores; then the rates, of which each needs the one before.
   bool follow_motion() {
-    reference::StepTangent tangent(here_);
-    std::vector<reference::StateRate> rates(pairs_.size(), tangent.at_rest());
-    std::size_t m = 0;
-    for (std::size_t i = 0; i <= response_.stages.size(); ++i) {
-      for (; m < response_.moments.size() && response_.moments[m].stages == i; ++m)
-        for (std::size_t p = 0; p < pairs_.size(); ++p) move_moment(m, p, reference::as_vectors(rates[p].displacement));
-      if (i == response_.stages.size()) break;
-      const Experiment::Stage& stage = response_.stages[i];
-      const bool last = i + 1 == response_.stages.size();
-      const State& after = last ? response_.moments.back().state : response_.stages[i + 1].before;
-      const auto springs = [&](const Model& model) { return with_grabs({}, model.grabs, stage.step_end); };
-      if (!tangent.linearize(stage.stage, stage.before, after.displacement, {here_, springs(here_)})) return false;
-      for (std::size_t p = 0; p < pairs_.size(); ++p)
-        rates[p] = tangent.rate(rates[p], {pairs_[p].below, springs(pairs_[p].below)},
-                                {pairs_[p].above, springs(pairs_[p].above)}, step_);
+    constexpr std::size_t kMost = 4;  // factors in memory
+    const std::size_t stages = response_.stages.size();
+    std::vector<std::unique_ptr<reference::StepTangent>> tangents(
+        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, std::min(kMost, stages)));
+    in_parallel(tangents.size(), [&](std::size_t k) { tangents[k] = std::make_unique<reference::StepTangent>(here_); });
+    std::vector<reference::StateRate> rates(pairs_.size(), tangents[0]->at_rest());
+    move_moments_after(0, rates);
+    for (std::size_t first = 0; first < stages; first += tangents.size()) {
+      const std::size_t count = std::min(tangents.size(), stages - first);
+      std::vector<char> stable(count);
+      in_parallel(count, [&](std::size_t k) { stable[k] = linearize(first + k, *tangents[k]); });
+      if (std::find(stable.begin(), stable.end(), false) != stable.end()) return false;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double end = response_.stages[first + k].step_end;
+        for (std::size_t p = 0; p < pairs_.size(); ++p) {
+          const ModelPair& pair = pairs_[p];
+          rates[p] = tangents[k]->rate(rates[p], {pair.below, springs(pair.below, end)},
+                                       {pair.above, springs(pair.above, end)}, step_);
+        }
+        move_moments_after(first + k + 1, rates);
+      }
     }
     return true;
   }
@@ -62,6 +74,21 @@ class Mover {
   std::vector<MomentPair> take() { return std::move(moved_); }
 
  private:
+  static std::vector<GrabSpring> springs(const Model& model, double time) { return with_grabs({}, model.grabs, time); }
+
+  bool linearize(std::size_t i, reference::StepTangent& tangent) const {
+    const Experiment::Stage& stage = response_.stages[i];
+    const bool last = i + 1 == response_.stages.size();
+    const State& after = last ? response_.moments.back().state : response_.stages[i + 1].before;
+    return tangent.linearize(stage.stage, stage.before, after.displacement, {here_, springs(here_, stage.step_end)});
+  }
+
+  void move_moments_after(std::size_t stages, const std::vector<reference::StateRate>& rates) {
+    for (std::size_t m = 0; m < response_.moments.size(); ++m)
+      for (std::size_t p = 0; p < pairs_.size() && response_.moments[m].stages == stages; ++p)
+        move_moment(m, p, reference::as_vectors(rates[p].displacement));
+  }
+
   void move_moment(std::size_t m, std::size_t p, const std::vector<Eigen::Vector3d>& rate) {
     move(moved_[p].below[m].state.displacement, rate, -step_);
     move(moved_[p].above[m].state.displacement, rate, step_);
