@@ -80,7 +80,8 @@ std::vector<NamedChart> profile_charts(const FitResult& result, bool noise_known
       series.points.emplace_back(profile.values[i], profile.misfits[i]);
     NamedChart& named = charts.emplace_back();
     named.name = "profile_" + std::to_string(profile.parameter + 1);
-    named.chart.title = "Misfit along " + key;
+    named.chart.title =
+        "Misfit along " + key + (profile.of_errors ? ", 3 standard errors" : ", a tenth at either side");
     named.chart.series = {std::move(series)};
     named.chart.x = axis_of(key + (unit.empty() ? "" : " [" + unit + "]"), named.chart.series, true);
     named.chart.y =

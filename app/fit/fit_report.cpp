@@ -122,8 +122,11 @@ std::string html(const fs::path& folder, const FitResult& result, const FitSubje
   text += residual_table(parts_of(subject.experiment, result.simulated)) + correlation_table(result);
   if (draws && !result.profiles.empty())
     text +=
-        "<h2>Misfit around the minimum</h2>\n<p>Up to three standard errors at either side; the other parameters "
-        "follow as the covariance says.</p>\n" +
+        std::string("<h2>Misfit around the minimum</h2>\n<p>Up to ") +
+        (result.profiles.front().of_errors
+             ? "three standard errors at either side"
+             : "a tenth of the value or of its range at either side, since the residuals say nothing of the noise") +
+        "; the other parameters follow as the covariance says.</p>\n" +
         drawn(folder, profile_charts(result, subject.noise_known));
   if (!draws) text += "<p>no gnuplot: the report has no charts</p>\n";
   return text + "<h2>Command line</h2>\n<pre>" + xml_text(subject.command_line) + "</pre>\n</body></html>\n";

@@ -31,6 +31,14 @@ std::string keys_of(const VectorXd& direction, const std::vector<Parameter>& par
   return keys;
 }
 
+// Values that are what they must be, such as the zeros of a history at time 0: they carry no noise.
+Index certain_values(const FitNumbers& numbers) {
+  Index count = 0;
+  for (Index row = 0; row < numbers.residuals.size(); ++row)
+    count += numbers.residuals[row] == 0 && numbers.rates.row(row).isZero(0);
+  return count;
+}
+
 bool is_one_key(const VectorXd& direction) { return (direction.array().abs() > kPart).count() == 1; }
 
 }  // namespace
@@ -40,7 +48,7 @@ bool Estimates::determined() const {
 }
 
 Estimates estimate(const std::vector<Parameter>& parameters, const FitNumbers& numbers) {
-  const Index count = numbers.inner.size(), freedom = numbers.residuals.size() - count;
+  const Index count = numbers.inner.size(), freedom = numbers.residuals.size() - certain_values(numbers) - count;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Estimates result;
   VectorXd natural_rate(count);
@@ -55,7 +63,7 @@ Estimates estimate(const std::vector<Parameter>& parameters, const FitNumbers& n
                                     : std::numeric_limits<double>::quiet_NaN();
   result.spread = numbers.noise_known ? 1 : spread;
   const double quantile = student_95(numbers.noise_known || freedom < 1 ? kInfinite : static_cast<double>(freedom));
-  MatrixXd covariance = MatrixXd::Zero(count, count);
+  MatrixXd cofactors = MatrixXd::Zero(count, count);
   VectorXd lost = VectorXd::Zero(count);  // how much of a parameter the measurement does not determine
   for (Index k = 0; k < count; ++k) {
     const VectorXd direction = svd.matrixV().col(k);
@@ -67,19 +75,19 @@ Estimates estimate(const std::vector<Parameter>& parameters, const FitNumbers& n
                                     : numbers.measured + " alone cannot tell " + keys_of(direction, parameters));
       continue;
     }
-    const double error = result.spread / value;
-    covariance += error * error * direction * direction.transpose();
+    cofactors += direction * direction.transpose() / (value * value);
   }
   if (!numbers.noise_known && freedom < 1)
     result.warnings.push_back("as many values as parameters: no intervals without --noise");
-  const VectorXd errors = covariance.diagonal().cwiseSqrt();
+  const VectorXd unit_errors = cofactors.diagonal().cwiseSqrt(), errors = result.spread * unit_errors;
   result.correlation = MatrixXd::Identity(count, count);
   for (Index a = 0; a < count; ++a)
     for (Index b = 0; b < count; ++b)
-      if (a != b && errors[a] > 0 && errors[b] > 0)
-        result.correlation(a, b) = covariance(a, b) / (errors[a] * errors[b]);
+      if (a != b && unit_errors[a] > 0 && unit_errors[b] > 0)
+        result.correlation(a, b) = cofactors(a, b) / (unit_errors[a] * unit_errors[b]);
   const MatrixXd inner_of = natural_rate.cwiseInverse().asDiagonal();
-  result.covariance = inner_of * covariance * inner_of;
+  result.cofactors = inner_of * cofactors * inner_of;
+  result.covariance = result.spread * result.spread * result.cofactors;
 
   for (Index p = 0; p < count; ++p) {
     const Parameter& parameter = parameters[static_cast<std::size_t>(p)];

@@ -20,6 +20,7 @@ struct Estimate {
 struct Estimates {
   std::vector<Estimate> parameters;
   Eigen::MatrixXd covariance;   // of the inner coordinates
+  Eigen::MatrixXd cofactors;    // the same for a spread of 1
   Eigen::MatrixXd correlation;  // [parameter][parameter] of the natural coordinates
   double spread = 1;            // root mean square residual per degree of freedom; 1 where the noise is known to fit
   std::vector<std::string> warnings;

@@ -23,6 +23,17 @@ double rms(const VectorXd& residuals) {
   return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
 }
 
+// Of the values in the weights of the residuals.
+double magnitude_of(const Misfit& misfit, const Misfit::Point& point) {
+  return point.response.values.cwiseProduct(misfit.experiment().scales()).norm();
+}
+
+// The simulation is the measurement, but for digits that no measurement has. The solver would go on to rounding.
+bool is_exact(const Misfit& misfit, const Misfit::Point& point) {
+  constexpr double kExact = 1e-8;
+  return point.residuals.norm() < kExact * magnitude_of(misfit, point);
+}
+
 std::string described(const std::vector<Parameter>& parameters, const VectorXd& inner) {
   std::string text;
   for (std::size_t p = 0; p < parameters.size(); ++p)
@@ -63,7 +74,7 @@ class Functor {
     residuals = point->residuals;
     last_ = std::move(*point);
     if (last_.residuals.squaredNorm() <= best_.residuals.squaredNorm()) best_ = last_;
-    return 0;
+    return is_exact() ? -1 : 0;
   }
   // Called where the last step was accepted.
   int df(const VectorXd& moved, MatrixXd& rates) {
@@ -72,6 +83,12 @@ class Functor {
     return 0;
   }
   const Misfit::Point& best() const { return best_; }
+  // The simulation is the measurement, but for a few digits that no measurement has. The solver would go on to
+  // rounding.
+  bool is_exact() const {
+    constexpr double kExact = 1e-8;
+    return best_.residuals.norm() < kExact * magnitude_of(misfit_, best_);
+  }
   const MatrixXd& rates_at(const Misfit::Point& point) {
     if (rates_.size() == 0 || point.inner != rated_) {
       rates_ = misfit_.rates(point);
@@ -156,9 +173,17 @@ std::string subject_of(const Experiment& experiment) {
   return "the measurement (" + join(names) + ")";
 }
 
+// How far a profile goes at either side where no standard error says it [natural coordinate].
+double tenth_of(const Parameter& parameter, double value) {
+  constexpr double kShare = 0.1;
+  if (parameter.logarithmic) return kShare;
+  return kShare * (parameter.bounds ? parameter.bounds->high - parameter.bounds->low : std::max(1.0, std::abs(value)));
+}
+
 std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point& minimum, const Estimates& estimates,
                                        const FitOptions& options) {
   const std::vector<Parameter>& parameters = misfit.tuned().parameters();
+  const bool of_errors = options.noise_known || (!is_exact(misfit, minimum) && std::isfinite(estimates.spread));
   struct Job {
     std::size_t profile;
     VectorXd inner;
@@ -167,12 +192,15 @@ std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point
   std::vector<Job> jobs;
   for (std::size_t p = 0; p < parameters.size() && options.profile > 0; ++p) {
     const auto column = static_cast<Index>(p);
-    const double variance = estimates.covariance(column, column);
-    if (!estimates.parameters[p].determined || !(variance > 0)) continue;
+    const double cofactor = estimates.cofactors(column, column), middle = minimum.inner[column];
+    if (!estimates.parameters[p].determined || !(cofactor > 0)) continue;
+    const double reach =
+        of_errors ? 3 * estimates.spread * std::sqrt(cofactor)
+                  : tenth_of(parameters[p], parameters[p].value(middle)) / parameters[p].natural_rate(middle);
     for (int k = -options.profile; k <= options.profile; ++k) {
-      // Up to three standard errors; the others follow as the covariance says.
-      const double away = 3.0 * k / options.profile * std::sqrt(variance);
-      const VectorXd inner = minimum.inner + away / variance * estimates.covariance.col(column);
+      // The others follow as the covariance says.
+      const double away = reach * k / options.profile;
+      const VectorXd inner = minimum.inner + away / cofactor * estimates.cofactors.col(column);
       jobs.push_back({p, inner, parameters[p].value(inner[column])});
       if (k == 0) jobs.back().misfit = rms(minimum.residuals);
     }
@@ -183,7 +211,8 @@ std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point
   });
   std::vector<MisfitProfile> profiles;
   for (const Job& job : jobs) {
-    if (profiles.empty() || profiles.back().parameter != job.profile) profiles.push_back({job.profile, {}, {}});
+    if (profiles.empty() || profiles.back().parameter != job.profile)
+      profiles.push_back({job.profile, {}, {}, of_errors});
     profiles.back().values.push_back(job.value);
     profiles.back().misfits.push_back(job.misfit);
   }
@@ -231,13 +260,14 @@ FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOp
   solver.diag = VectorXd::Ones(count);
   VectorXd moved = VectorXd::Zero(count);
   try {
-    result.reason = reason_of(solver.minimize(moved), options);
+    const Eigen::LevenbergMarquardtSpace::Status status = solver.minimize(moved);
+    if (!functor.is_exact()) result.reason = reason_of(status, options);
     result.converged = result.reason.empty();
     const Misfit::Point& minimum = functor.best();
     result.misfit = rms(minimum.residuals);
     result.simulated = minimum.response.values;
     result.exact_rates = misfit.exact(minimum);
-    const double magnitude = std::max(result.simulated.cwiseProduct(experiment.scales()).norm(), first_norm);
+    const double magnitude = std::max(magnitude_of(misfit, minimum), first_norm);
     result.estimates = estimate(parameters, {minimum.inner, minimum.residuals, functor.rates_at(minimum),
                                              options.noise_known, magnitude, subject_of(experiment)});
     if (options.stop.stop_requested()) return stopped();

@@ -27,6 +27,8 @@ struct MisfitProfile {
   std::size_t parameter;
   std::vector<double> values;   // ascending, the minimum among them
   std::vector<double> misfits;  // root mean square of the weighted residuals; NaN: not simulated
+  bool of_errors = true;  // up to three standard errors at either side; else, where the residuals say nothing of the
+                          // noise, a tenth of the value, or of its range
 };
 
 struct FitResult {

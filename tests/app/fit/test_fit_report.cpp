@@ -79,6 +79,11 @@ TEST_CASE("a chart shows measured marks and the simulated curve of each componen
 
   const std::vector<NamedChart> profiles = profile_charts(result(), false);
   REQUIRE(profiles.size() == 1);
+  CHECK(profiles[0].chart.title == "Misfit along materials.default.young_modulus, 3 standard errors");
+  FitResult exact = result();
+  exact.profiles[0].of_errors = false;
+  CHECK(profile_charts(exact, false)[0].chart.title ==
+        "Misfit along materials.default.young_modulus, a tenth at either side");
   CHECK(profiles[0].chart.x.label == "materials.default.young_modulus [Pa]");
   CHECK(profiles[0].chart.series[0].points[0] == Eigen::Vector2d(11000, 1.7));
 }

@@ -52,24 +52,29 @@ inline MeasuredCurve curve_of(const std::string& name, Measurand measurand, std:
   return {name, measurand, dimension, std::move(times), std::vector<double>(count, 0), 1};
 }
 
-/// Sets the values of the curves to those that the scene simulates, with noise of `share` of the largest one.
+/// Adds noise of `share` of the largest value of each curve.
+inline void add_noise(std::vector<Measurement>& measurements, double share, unsigned seed) {
+  std::mt19937 random(seed);
+  for (Measurement& measurement : measurements)
+    for (MeasuredCurve& curve : measurement.curves) {
+      double largest = 0;
+      for (const double value : curve.values) largest = std::max(largest, std::abs(value));
+      std::normal_distribution<double> normal(0, 1);
+      for (double& value : curve.values) value += share * largest * normal(random);
+    }
+}
+
+/// Sets the values of the curves to those that the scene simulates, and adds noise.
 inline void measure(std::vector<Measurement>& measurements, const Scene& scene, bool is_static, double share,
                     unsigned seed) {
   const Experiment experiment(measurements, is_static, scene.duration, {});
   const auto response = experiment.run(scene, build_model(scene));
   if (!response) throw std::runtime_error("the scene to be measured does not converge");
-  std::mt19937 random(seed);
   Eigen::Index row = 0;
   for (Measurement& measurement : measurements)
-    for (MeasuredCurve& curve : measurement.curves) {
-      const auto count = static_cast<Eigen::Index>(curve.values.size());
-      const Eigen::VectorXd exact = response->values.segment(row, count);
-      row += count;
-      const double noise = share * exact.cwiseAbs().maxCoeff();
-      std::normal_distribution<double> normal(0, 1);
-      for (Eigen::Index i = 0; i < count; ++i)
-        curve.values[static_cast<std::size_t>(i)] = exact[i] + noise * normal(random);
-    }
+    for (MeasuredCurve& curve : measurement.curves)
+      for (double& value : curve.values) value = response->values[row++];
+  add_noise(measurements, share, seed);
 }
 
 inline std::vector<double> moments(int count, double end) {

@@ -39,6 +39,23 @@ TEST_CASE("intervals are those of linear regression", "[fit]") {
   CHECK(known.warnings[0] == "the residuals are 2.449 times the noise: the scene does not explain the measurement");
 }
 
+TEST_CASE("values without noise say nothing about the noise", "[fit]") {
+  FitNumbers numbers;
+  numbers.inner = Eigen::Vector2d(0, 0);
+  numbers.residuals = Eigen::Vector3d(1, -2, 1);
+  numbers.rates.resize(3, 2);
+  numbers.rates << 1, -1, 1, 0, 1, 1;
+  const Estimates without = estimate(two_parameters(), numbers);
+  numbers.residuals.conservativeResizeLike(Eigen::VectorXd::Zero(5));
+  numbers.rates.conservativeResizeLike(Eigen::MatrixXd::Zero(5, 2));
+  const Estimates with = estimate(two_parameters(), numbers);
+  CHECK(with.spread == without.spread);
+  CHECK(with.parameters[0].high == Approx(without.parameters[0].high).epsilon(1e-12));
+
+  numbers.residuals[3] = 0.5;  // noise where nothing changes
+  CHECK(estimate(two_parameters(), numbers).spread == Approx(std::sqrt(6.25 / 2)));
+}
+
 TEST_CASE("as many values as parameters leave the noise unknown, and with it the intervals", "[fit]") {
   FitNumbers numbers;
   numbers.inner = Eigen::Vector2d(0, 0);
