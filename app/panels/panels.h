@@ -44,6 +44,8 @@ void instruments_panel(const PanelContext& context);
 void history_panel(const PanelContext& context);
 
 void draw_plots(const Simulation& simulation, WindowState& state, Requests& requests);  // a window of its own, movable
+/// The part of the plots that fits values of the scene to the measured curves.
+void fit_rows(const Simulation& simulation, FitPanel& fit, Requests& requests);
 bool shows_convergence(const Plots& plots);
 /// The content of the panel Convergence, which the plots show too.
 void convergence_rows(const Simulation& simulation, Convergence& convergence);

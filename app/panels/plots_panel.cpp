@@ -123,7 +123,11 @@ void buttons(Plots& plots, Requests& requests, int count) {
   if (ui::button(plots.held ? "Go on" : "Hold", width, plots.held)) plots.held = !plots.held;
   ui::tooltip("Holds the curves while the simulation continues");
   ImGui::SameLine();
-  if (ui::button("Clear", width)) plots.history.clear();
+  if (ui::button("Clear", width)) {
+    plots.clear();
+    requests.end_fit = true;
+  }
+  ui::tooltip("Removes the curves, measured ones too");
   ImGui::SameLine();
   if (ui::button("Point", width, plots.choosing)) plots.choosing = !plots.choosing;
   ui::tooltip("Then click on the tissue: the displacement of the vertex next to the click is plotted");
@@ -202,6 +206,7 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
     buttons(plots, requests, flat ? 6 : 5);
     const std::vector<TimeChart> charts = charts_of(simulation.model.tools);
     choose_charts(charts, plots, flat);
+    if (!plots.measured.empty() && !state.comparing) fit_rows(simulation, plots.fit, requests);
     plots.charts_top = ImGui::GetCursorScreenPos().y - 0.5f * ImGui::GetStyle().ItemSpacing.y;
     draw_charts(charts, plots, size.x > ui::px(kTwoColumns) ? 2 : 1);
     if (plots.chosen[kConvergence]) convergence_rows(simulation, state.convergence);

@@ -2,9 +2,15 @@
 
 namespace fascia {
 
-void Plots::forget() {
+void Plots::clear() {
   history.clear();
   measured.clear();
+  measured_file.clear();
+  fit = {};
+}
+
+void Plots::forget() {
+  clear();
   end.reset();
   probe.reset();
   choosing = false;

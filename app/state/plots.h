@@ -3,11 +3,25 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "sim/fit/estimate.h"
 #include "sim/output/sample_history.h"
 
 namespace fascia {
+
+/// A fit of values of the scene to the measured samples.
+struct FitPanel {
+  std::vector<std::string> keys;  // chosen free values, as for --free
+  bool equilibria = false;        // every time is a static equilibrium
+  bool running = false;
+  std::string line;  // how far it is, or why it failed; empty: nothing to say
+  bool failed = false;
+  std::vector<Estimate> found;  // values that can be applied
+};
 
 struct Plots {
   static constexpr std::size_t kCharts = 10;
@@ -16,8 +30,10 @@ struct Plots {
   std::array<bool, kCharts> chosen{true, true, true, true, true, false, false, false, false, false};
   SampleHistory history;
   std::vector<Sample> measured;  // of a file, ascending in time: drawn dashed beside the history
-  double span = 10;              // seconds shown
-  std::optional<double> end;     // right edge [s]; none: the latest sample
+  std::filesystem::path measured_file;
+  FitPanel fit;               // of the measured samples
+  double span = 10;           // seconds shown
+  std::optional<double> end;  // right edge [s]; none: the latest sample
   std::optional<double> cursor,
       cursor_next;  // time under the mouse [s], in the previous frame and in this one: all charts show the same
   std::optional<std::uint32_t> probe;              // tracked vertex; none: the tip, once there are plots
@@ -31,6 +47,8 @@ struct Plots {
   double right_edge() const { return end ? *end : history.all().empty() ? span : history.all().back().time; }
   /// The measured samples between two times [s], and one more at each side.
   std::span<const Sample> measured_between(double from, double to) const { return part(measured, from, to); }
+  /// Discards samples and measurement.
+  void clear();
   /// Call when the scene changes: discards samples, measurement and probe.
   void forget();
 };

@@ -108,7 +108,7 @@ struct Requests {
        video = false, reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false,
        export_dialog = false, copy_command = false, resume_recovered = false, forget_recovered = false, let_go = false,
        save_replay_dialog = false, end_replay = false, save_with_mesh = false, let_go_instrument = false,
-       toggle_jaws = false;
+       toggle_jaws = false, fit = false, end_fit = false, apply_fit = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay, measured,
       resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;

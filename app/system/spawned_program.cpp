@@ -40,16 +40,16 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
 
 }  // namespace
 
-SpawnedProgram::SpawnedProgram(std::vector<std::string> command,
-                               const std::map<std::string, std::string>& environment) {
+SpawnedProgram::SpawnedProgram(std::vector<std::string> command, const std::map<std::string, std::string>& environment,
+                               const std::filesystem::path& output) {
   int ends[2];  // a socket instead of a pipe: writing to a program that has ended then raises no signal
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw Error(command.front(), std::string("cannot be run: ") + std::strerror(errno), "expected a free socket");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-  for (const int output : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&actions, stream, output.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   std::vector<std::string> variables = environment_with(environment);
   const int failed = posix_spawnp(&child_, command.front().c_str(), &actions, nullptr, pointers(command).data(),
                                   pointers(variables).data());

@@ -1,7 +1,8 @@
-// Another program that runs beside this one: its input comes from here, its output is discarded.
+// Another program that runs beside this one: its input comes from here, its output is discarded or goes to a file.
 #pragma once
 #include <sys/types.h>
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,9 +18,10 @@ class SpawnedProgram {
     double cpu_seconds;  // of its own work, without the kernel's
   };
 
-  /// `command` is the program, searched in PATH, and its arguments; `environment` is added to this program's. Throws
-  /// Error if it cannot be run.
-  explicit SpawnedProgram(std::vector<std::string> command, const std::map<std::string, std::string>& environment = {});
+  /// `command` is the program, searched in PATH, and its arguments; `environment` is added to this program's; `output`
+  /// is the file of stdout and stderr. Throws Error if it cannot be run.
+  explicit SpawnedProgram(std::vector<std::string> command, const std::map<std::string, std::string>& environment = {},
+                          const std::filesystem::path& output = "/dev/null");
   ~SpawnedProgram();  // ends it at once
   SpawnedProgram(SpawnedProgram&& other) noexcept;
   SpawnedProgram& operator=(SpawnedProgram&&) = delete;

@@ -1,6 +1,7 @@
 #include "app/window/observer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/state/deformed_positions.h"
 #include "base/dated_name.h"
@@ -104,9 +105,47 @@ void Observer::show_measured(const std::filesystem::path& file) {
   if (plots.probe && plots.probe != probe) plots.history.clear();  // whose samples are of another vertex
   plots.probe = probe;
   plots.measured = std::move(samples);
+  end_fit();
+  plots.measured_file = std::filesystem::absolute(file);
+  plots.fit.found.clear();
+  plots.fit.line.clear();
   plots.shown = true;
   stage_.diagnose = true;
   stage_.messages.say(file.string() + ": dashed in the plots");
+}
+
+void Observer::start_fit(const std::filesystem::path& program) {
+  Plots& plots = stage_.state.plots;
+  FitPanel& fit = plots.fit;
+  if (fit.keys.empty()) throw Error("Fit", "has no free values", "choose some first");
+  fit.found.clear();
+  fit.failed = false;
+  fit.line = "begins";
+  fit_.emplace(program, stage_.scene_to_save(true),
+               FitTask{plots.measured_file, fit.keys, *plots.probe, fit.equilibria});
+  fit.running = true;
+}
+
+bool Observer::follow_fit() {
+  if (!fit_) return false;
+  FitPanel& fit = stage_.state.plots.fit;
+  const bool ended = fit_->ended();
+  const std::string before = std::exchange(fit.line, fit_->last_line());
+  if (!ended) return fit.line != before;
+  fit.running = false;
+  const std::optional<std::vector<Estimate>> found = fit_->found();
+  fit.failed = !found;
+  fit.found = found.value_or(std::vector<Estimate>());
+  fit.line = found ? "The fit has ended" : fit.line.empty() ? "The fit was ended" : fit.line;
+  fit_.reset();
+  return true;
+}
+
+void Observer::end_fit() {
+  fit_.reset();
+  FitPanel& fit = stage_.state.plots.fit;
+  if (!std::exchange(fit.running, false)) return;
+  fit.line = "canceled";
 }
 
 void Observer::write_plots(const Requests& requests) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "app/fit/background_fit.h"
 #include "app/window/sides.h"
 
 namespace fascia {
@@ -24,12 +25,20 @@ class Observer {
   /// Throws Error.
   void show_measured(const std::filesystem::path& file);
 
+  /// Fits the chosen values of the open scene to the measured curves, in the background, by this program of fascia.
+  /// Throws Error.
+  void start_fit(const std::filesystem::path& program);
+  /// Now and then: true if the plots have news of the fit.
+  bool follow_fit();
+  void end_fit();  // without a result
+
  private:
   void follow(const Diagnostics& diagnostics);  // into the plots
 
   Stage& stage_;
   Sides& sides_;
   std::optional<Diagnostics> open_;
+  std::optional<BackgroundFit> fit_;
   double residual_ = 0;
   struct Moment {
     double time = 0;  // simulated [s]

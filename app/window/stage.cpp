@@ -44,15 +44,19 @@ Margins Stage::margins() const {
   return margins;
 }
 
-void Stage::save(const std::filesystem::path& path, bool with_mesh) {
+Scene Stage::scene_to_save(bool with_mesh) {
   std::vector<ReadFile>& files = simulation().model.files;
   Scene now = scene_now();
   const std::vector<ScriptedGrab> staying = mouse.grabs().staying(simulation().model);
   now.grabs.insert(now.grabs.end(), staying.begin(), staying.end());
-  const Scene scene = with_mesh ? self_contained(now, files) : with_known_files(now, files);
+  return with_mesh ? self_contained(now, files) : with_known_files(now, files);
+}
+
+void Stage::save(const std::filesystem::path& path, bool with_mesh) {
+  const Scene scene = scene_to_save(with_mesh);
   write_file(path, scene_to_json(scene, path.parent_path()));
-  messages.say("Saved " + path.string() +
-               (staying.empty() ? "" : ", with " + plural(staying.size(), "grab") + " that stays"));
+  const std::size_t staying = scene.grabs.size() - simulation().scene.grabs.size();
+  messages.say("Saved " + path.string() + (staying == 0 ? "" : ", with " + plural(staying, "grab") + " that stays"));
 }
 
 void Stage::export_state(const std::filesystem::path& path) {

@@ -33,6 +33,9 @@ struct Stage {
 
   Simulation& simulation() const { return session->simulation; }
   Scene scene_now() const;  // with the current materials and camera
+  /// scene_now() with grabs that stay, and with what is known of its files or, `with_mesh`, with all of them. Throws
+  /// Error.
+  Scene scene_to_save(bool with_mesh);
   Provenance provenance() const;
   void give_up_brush();      // an action of the brush that is under way does nothing
   int panels_cover() const;  // of the picture's width [pixels]

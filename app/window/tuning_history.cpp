@@ -5,6 +5,7 @@
 #include "app/session/reproduce.h"
 #include "app/state/continued_session.h"
 #include "base/error.h"
+#include "sim/fit/tuned_scene.h"
 #include "sim/grab/build_model.h"
 #include "sim/scene/scene_scale.h"
 
@@ -128,6 +129,17 @@ void TuningHistory::rebuild(const Tunables& wanted) {
   recording_.begin_anew_around([&] { stage_.session = std::move(session); });
   kernels_.session_began(stage_.simulation());
   model_changed();
+}
+
+void TuningHistory::set_values(const std::vector<Estimate>& found) {
+  std::vector<std::pair<std::string, double>> values;
+  for (const Estimate& estimate : found) values.emplace_back(estimate.key, estimate.value);
+  Session& session = sides_.tuned();
+  const Scene scene = with_values(stage_.scene_now(), values);
+  Tunables wanted = tunables_of(session, stage_.state.grab);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    wanted.materials[b] = {scene.bodies[b].material, scene.bodies[b].region_materials};
+  set_tunables(session, stage_.state.grab, wanted);
 }
 
 void TuningHistory::set_materials(const std::vector<MaterialEntries>& entries) {

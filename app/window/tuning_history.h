@@ -20,6 +20,7 @@ class TuningHistory {
   void go_to(std::size_t entries);  // undoes or redoes until `entries` are in force. Throws Error
   /// Throws Error and changes nothing if an entry names no region.
   void set_materials(const std::vector<MaterialEntries>& entries);
+  void set_values(const std::vector<Estimate>& found);  // of materials, as a fit found them. Throws Error
   /// Throws Error, and changes nothing, during a comparison and if the scene cannot be built.
   void set_fixed(const FixedSets& fixed);
   void set_painting(const Painting& painting);                       // as set_fixed

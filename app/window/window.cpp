@@ -87,6 +87,7 @@ void Window::run() {
       stage_.messages.attempt([&] { recovery_.remember_now_and_then(); });
       stage_.messages.attempt([&] { recording_.follow(); });
       follow_kernels();
+      if (observer_.follow_fit()) frames_to_settle_ = kFramesToSettle;
       last = Clock::now();
       stage_.pacing.restart();
       continue;
@@ -190,6 +191,7 @@ void Window::frame(double elapsed) {
   } while (input_.waiting() && !requests.wait_for_picture());
   log_.end_of(FrameLog::Part::panels);
   follow_kernels();
+  observer_.follow_fit();
   const long steps_before = stepping_.stats().steps;
   if (shown_ && !messages.attempt([&] { simulate(elapsed, requests.step); })) stage_.state.paused = true;
   messages.attempt([&] { recording_.follow_replay(); });
@@ -246,6 +248,7 @@ void Window::capture(const Requests& requests) {
   if (requests.video) capture_.toggle_video();
   observer_.write_plots(requests);
   if (requests.measured) observer_.show_measured(*requests.measured);
+  if (requests.fit) observer_.start_fit(std::filesystem::read_symlink("/proc/self/exe"));
   if (requests.screenshot) capture_.screenshot();
 }
 
@@ -274,6 +277,8 @@ void Window::carry_out(const Requests& requests) {
   if (requests.elements) tuning_.set_elements(*requests.elements);
   if (requests.rescale) rescale(*requests.rescale);
   if (requests.open_again) open_again(*requests.open_again);
+  if (requests.end_fit) observer_.end_fit();
+  if (requests.apply_fit) tuning_.set_values(std::exchange(stage_.state.plots.fit.found, {}));
   if (requests.copy_command) tuning_.copy_command();
   if (requests.reset) reset();
   if (requests.step) stage_.state.paused = true;
@@ -291,6 +296,7 @@ void Window::take_over(std::unique_ptr<Session> opened) {
   sides_.let_go();
   stage_.messages.attempt([&] { recording_.end(); });
   sides_.close();
+  observer_.end_fit();
   stage_.state.convergence.forget();
   stage_.state.plots.forget();
   stage_.session = std::move(opened);

@@ -1,6 +1,7 @@
 // Charts over time as pictures.
 #include <catch2/catch.hpp>
 
+#include "app/ui/audit.h"
 #include "tests/app/panels/desk.h"
 
 using namespace fascia;
@@ -34,6 +35,24 @@ Sample sample_at(double time, double share) {
 double different_pixels(const Image& a, const Image& b) { return difference(a, b).share * a.width * a.height; }
 
 }  // namespace
+
+TEST_CASE("a measured curve can be fitted from the plots, and its result is shown", "[plots]") {
+  PlotDesk desk;
+  Plots& plots = desk.state.plots;
+  plots.shown = true;
+  for (int i = 0; i <= 200; ++i) plots.history.add(sample_at(0.01 * i, 1));
+  const Image without = desk.plotted();
+  for (int i = 0; i <= 20; ++i) plots.measured.push_back(sample_at(0.1 * i, 0.8));
+  const Image choosing = desk.plotted();
+  plots.fit.keys = {"materials.default.young_modulus", "materials.default.damping"};
+  plots.fit.line = "The fit has ended";
+  plots.fit.found = {{"materials.default.young_modulus", 12345, 12000, 12700}, {"materials.default.damping", 0.01}};
+  plots.fit.found[1].low = plots.fit.found[1].high = std::nan("");
+  const Image found = desk.plotted();
+  CHECK(different_pixels(without, choosing) > 1000);
+  CHECK(different_pixels(choosing, found) > 1000);
+  CHECK(ui::unexplained().empty());
+}
 
 TEST_CASE("measured samples are drawn beside the simulated ones, and charts without any stay as they are", "[plots]") {
   PlotDesk desk;

@@ -28,6 +28,13 @@ TEST_CASE("a spawned program gets its input and environment, and its end is seen
   program.write("to nobody\n");  // has no effect
 }
 
+TEST_CASE("what a spawned program says is in its file") {
+  const TemporaryFolder folder;
+  SpawnedProgram program({"sh", "-c", "echo out; echo err >&2; echo end"}, {}, folder / "said");
+  REQUIRE(program.wait_for_end(kLong));
+  CHECK(read_file(folder / "said") == "out\nerr\nend\n");
+}
+
 TEST_CASE("a spawned program that fails, is asked to end, or is missing") {
   SpawnedProgram failing({"sh", "-c", "exit 3"});
   REQUIRE(failing.wait_for_end(kLong));

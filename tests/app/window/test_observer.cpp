@@ -84,6 +84,41 @@ TEST_CASE("measured curves are drawn in the plots, at their point") {
   CHECK(plots.measured.empty());
 }
 
+TEST_CASE("a fit to the measured curve runs until it has a result, fails or is canceled") {
+  Desk desk;
+  Plots& plots = desk.stage.state.plots;
+  const TemporaryFolder folder;
+  write_file(folder / "a.csv", "time_s,probe_y_m\n0.1,-0.001\n0.2,-0.002\n");
+  desk.observer.show_measured(folder / "a.csv");
+  CHECK_THROWS_WITH(desk.observer.start_fit(FASCIA_BINARY), Catch::Contains("has no free values"));
+  plots.fit.keys = {"materials.default.young_modulus"};
+  const auto wait = [&] {
+    while (plots.fit.running) desk.observer.follow_fit();
+  };
+  desk.observer.start_fit(FASCIA_BINARY);
+  CHECK(plots.fit.running);
+  wait();
+  CAPTURE(plots.fit.line);
+  CHECK_FALSE(plots.fit.failed);
+  REQUIRE(plots.fit.found.size() == 1);
+  CHECK(plots.fit.found[0].low < plots.fit.found[0].value);
+
+  desk.observer.start_fit("/bin/false");
+  CHECK(plots.fit.found.empty());
+  wait();
+  CHECK(plots.fit.failed);
+  CHECK(plots.fit.line == "The fit was ended");
+
+  desk.observer.start_fit(FASCIA_BINARY);
+  desk.observer.end_fit();
+  CHECK_FALSE(plots.fit.running);
+  CHECK_FALSE(desk.observer.follow_fit());
+  CHECK(plots.fit.line == "canceled");
+  plots.clear();
+  CHECK(plots.measured.empty());
+  CHECK(plots.fit.keys.empty());
+}
+
 TEST_CASE("a click chooses the vertex of the plots while the choice is open") {
   ObserverDesk desk;
   Plots& plots = desk.stage.state.plots;

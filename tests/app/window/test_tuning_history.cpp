@@ -46,6 +46,25 @@ TEST_CASE("changes are entries of the side that the panels show, and several are
   if (b) CHECK(iterations_of(*desk.stage.session) == opened);
 }
 
+TEST_CASE("values of a fit are set at once, and one undo takes them back") {
+  Desk desk("inclusion");
+  desk.tuning.session_began();
+  const std::vector<Material> before = desk.stage.simulation().model.materials;
+  REQUIRE(before.size() > 1);
+  const std::string region = desk.stage.simulation().scene.bodies[0].region_materials[0].first;
+  desk.tuning.set_values({{"materials.default.young_modulus", 4321}, {"materials." + region + ".damping", 0.0123}});
+  desk.tuning.follow();
+  CHECK(desk.stage.simulation().model.materials[0].young_modulus == 4321);
+  CHECK(desk.stage.simulation().model.materials[1].damping == 0.0123);
+  REQUIRE(desk.history().entries().size() == 1);
+  CAPTURE(desk.history().entries()[0].text);
+  CHECK(desk.history().entries()[0].text.find("and 1 more") != std::string::npos);
+  desk.tuning.go_to(0);
+  CHECK(desk.stage.simulation().model.materials == before);
+  CHECK_THROWS_AS(desk.tuning.set_values({{"materials.default.poisson_ratio", 0.7}}), Error);
+  CHECK(desk.stage.simulation().model.materials == before);
+}
+
 TEST_CASE("a region loses its own material, and has it again after undo") {
   TuningDesk desk("inclusion");
   desk.tuning.session_began();
