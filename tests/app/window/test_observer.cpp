@@ -85,7 +85,7 @@ TEST_CASE("measured curves are drawn in the plots, at their point") {
 }
 
 TEST_CASE("a fit to the measured curve runs until it has a result, fails or is canceled") {
-  Desk desk;
+  ObserverDesk desk;
   Plots& plots = desk.stage.state.plots;
   const TemporaryFolder folder;
   write_file(folder / "a.csv", "time_s,probe_y_m\n0.1,-0.001\n0.2,-0.002\n");

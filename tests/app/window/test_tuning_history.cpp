@@ -47,7 +47,7 @@ TEST_CASE("changes are entries of the side that the panels show, and several are
 }
 
 TEST_CASE("values of a fit are set at once, and one undo takes them back") {
-  Desk desk("inclusion");
+  TuningDesk desk("inclusion");
   desk.tuning.session_began();
   const std::vector<Material> before = desk.stage.simulation().model.materials;
   REQUIRE(before.size() > 1);

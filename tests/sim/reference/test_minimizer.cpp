@@ -65,7 +65,7 @@ TEST_CASE("inertia without elastic forces leads to the target plus force over in
 }
 
 TEST_CASE("a minimizer that has solved a problem solves a neighboring one as a new minimizer does") {
-  const Model model = test::box_model(3, 2, 2, {0.3, 0.2, 0.2}, test::soft(1e4, 0.4), left_end);
+  const Model model = test::box_model(3, 2, 2, {0.3, 0.2, 0.2}, test::soft(1e4, 0.4), test::at_left_end);
   const ElasticSystem system(model);
   test::Random random(5);
   const auto size = static_cast<Eigen::Index>(3 * model.rest_positions.size());
