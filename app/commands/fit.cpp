@@ -7,14 +7,17 @@
 #include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
+#include "app/fit/fit_progress.h"
 #include "app/fit/fit_report.h"
 #include "app/fit/fit_text.h"
 #include "app/session/open_input.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/suggest.h"
 #include "base/text.h"
 #include "sim/fit/fit.h"
 #include "sim/output/sample.h"
+#include "sim/scene/scene_carry.h"
 
 namespace fascia {
 namespace {
@@ -69,6 +72,18 @@ std::vector<Measurement> measurements_of(const FitCommandOptions& options, const
   return measurements;
 }
 
+// What leads a fit beside its scene and measurements, as text.
+std::string path_options(const FitCommandOptions& options, double end) {
+  std::vector<std::string> all{options.static_equilibrium ? "static" : "motion", number(end),
+                               std::to_string(options.sweep), options.probe ? std::to_string(*options.probe) : "tip"};
+  for (const auto* list :
+       {&options.measured, &options.free, &options.bounds, &options.priors, &options.noise, &options.columns}) {
+    all.emplace_back("");
+    all.insert(all.end(), list->begin(), list->end());
+  }
+  return join(all);
+}
+
 int run_fit(const FitCommandOptions& options) {
   if (!options.replay.empty()) throw UsageError("--replay", "cannot be fitted", "expected a scene");
   require_steps_or_static(options);
@@ -80,13 +95,19 @@ int run_fit(const FitCommandOptions& options) {
   const double end = options.time    ? *options.time
                      : options.steps ? static_cast<double>(*options.steps) * opened.scene.solver.time_step
                                      : opened.scene.duration;
+  const FitIdentity identity =
+      identity_of(with_known_files(opened.scene, opened.model.files), measurements, path_options(options, end));
   const TunedScene tuned = blaming_options([&] {
     std::vector<Parameter> parameters = parameters_of(opened.scene, options.free);
     for (const std::string& text : options.bounds) set_bounds(parameters, text);
     for (const std::string& text : options.priors) set_prior(parameters, text);
     return TunedScene(std::move(opened.scene), std::move(opened.model), std::move(parameters));
   });
-  if (!options.out.empty()) make_fit_folder(options.out);
+  std::optional<FitProgressFile> record;
+  if (!options.out.empty()) {
+    make_fit_folder(options.out);
+    record.emplace(options.out, identity);
+  }
   const Experiment experiment(std::move(measurements), options.static_equilibrium, end, interrupt_token());
   FitOptions how;
   how.sweep = options.sweep;
@@ -94,10 +115,24 @@ int run_fit(const FitCommandOptions& options) {
   how.noise_known = !options.noise.empty();
   how.stop = interrupt_token();
   if (!options.quiet) how.say = [](const std::string& line) { std::cerr << "fascia: " << line << '\n'; };
+  if (record) {
+    how.earlier = record->read(tuned.parameters().size());
+    how.keep = [&](const FitProgress& progress) { record->write(progress); };
+    if (how.earlier && !options.quiet)
+      std::cerr << "fascia: goes on after " << plural(static_cast<std::size_t>(how.earlier->simulations), "simulation")
+                << " of an interrupted fit\n";
+  }
   const FitResult result = blaming_options([&] { return fit(tuned, experiment, how); });
-  if (result.interrupted) return exit_interrupted;
+  if (result.interrupted) {
+    if (record && !options.quiet)
+      std::cerr << "fascia: interrupted; the same command goes on from " << record->file().string() << '\n';
+    return exit_interrupted;
+  }
   std::cout << fit_text(result, how.noise_known);
-  if (!options.out.empty()) write_fit(options.out, result, {experiment, how.noise_known, options.command_line});
+  if (record) {
+    write_fit(options.out, result, {experiment, how.noise_known, options.command_line});
+    record->remove();
+  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (!options.quiet)
     std::cerr << "fascia: " << (options.out.empty() ? "done" : options.out + "/report.html") << " after "

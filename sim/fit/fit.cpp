@@ -23,15 +23,16 @@ double rms(const VectorXd& residuals) {
   return std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
 }
 
-// Of the values in the weights of the residuals.
-double magnitude_of(const Misfit& misfit, const Misfit::Point& point) {
-  return point.response.values.cwiseProduct(misfit.experiment().scales()).norm();
+// Of the values in the weights of the residuals. Those of shapes are distances, whose size is that at the start.
+double magnitude_of(const Misfit& misfit, const Misfit::Point& point, double start_misfit) {
+  return std::max(point.response.values.cwiseProduct(misfit.experiment().scales()).norm(),
+                  start_misfit * std::sqrt(static_cast<double>(misfit.value_count())));
 }
 
 // The simulation is the measurement, but for digits that no measurement has. The solver would go on to rounding.
-bool is_exact(const Misfit& misfit, const Misfit::Point& point) {
+bool is_exact(const Misfit& misfit, const Misfit::Point& point, double start_misfit) {
   constexpr double kExact = 1e-8;
-  return point.residuals.norm() < kExact * magnitude_of(misfit, point);
+  return point.residuals.norm() < kExact * magnitude_of(misfit, point, start_misfit);
 }
 
 std::string described(const std::vector<Parameter>& parameters, const VectorXd& inner) {
@@ -51,8 +52,18 @@ class Functor {
   using ValueType = VectorXd;
   using JacobianType = MatrixXd;
 
-  Functor(const Misfit& misfit, Misfit::Point start, const FitOptions& options)
-      : misfit_(misfit), options_(options), start_(start.inner), last_(std::move(start)), best_(last_) {}
+  /// `keep` is called with every point that is the best so far.
+  Functor(const Misfit& misfit, Misfit::Point start, double start_misfit, const FitOptions& options,
+          std::function<void(const Misfit::Point&)> keep)
+      : misfit_(misfit),
+        options_(options),
+        start_misfit_(start_misfit),
+        keep_(std::move(keep)),
+        start_(start.inner),
+        last_(std::move(start)),
+        best_(last_) {
+    keep_(best_);
+  }
 
   int inputs() const { return static_cast<int>(start_.size()); }
   int values() const { return static_cast<int>(misfit_.value_count()); }
@@ -73,7 +84,10 @@ class Functor {
     }
     residuals = point->residuals;
     last_ = std::move(*point);
-    if (last_.residuals.squaredNorm() <= best_.residuals.squaredNorm()) best_ = last_;
+    if (last_.residuals.squaredNorm() <= best_.residuals.squaredNorm()) {
+      best_ = last_;
+      keep_(best_);
+    }
     return is_exact() ? -1 : 0;
   }
   // Called where the last step was accepted.
@@ -83,12 +97,7 @@ class Functor {
     return 0;
   }
   const Misfit::Point& best() const { return best_; }
-  // The simulation is the measurement, but for a few digits that no measurement has. The solver would go on to
-  // rounding.
-  bool is_exact() const {
-    constexpr double kExact = 1e-8;
-    return best_.residuals.norm() < kExact * magnitude_of(misfit_, best_);
-  }
+  bool is_exact() const { return fascia::is_exact(misfit_, best_, start_misfit_); }
   const MatrixXd& rates_at(const Misfit::Point& point) {
     if (rates_.size() == 0 || point.inner != rated_) {
       rates_ = misfit_.rates(point);
@@ -108,6 +117,8 @@ class Functor {
 
   const Misfit& misfit_;
   const FitOptions& options_;
+  const double start_misfit_;  // with the scene's own values
+  const std::function<void(const Misfit::Point&)> keep_;
   const VectorXd start_;
   Misfit::Point last_, best_;
   MatrixXd rates_;  // at rated_
@@ -181,9 +192,9 @@ double tenth_of(const Parameter& parameter, double value) {
 }
 
 std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point& minimum, const Estimates& estimates,
-                                       const FitOptions& options) {
+                                       bool exact, const FitOptions& options) {
   const std::vector<Parameter>& parameters = misfit.tuned().parameters();
-  const bool of_errors = options.noise_known || (!is_exact(misfit, minimum) && std::isfinite(estimates.spread));
+  const bool of_errors = options.noise_known || (!exact && std::isfinite(estimates.spread));
   struct Job {
     std::size_t profile;
     VectorXd inner;
@@ -224,7 +235,8 @@ std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point
 FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOptions& options) {
   const Misfit misfit(tuned, experiment);
   const std::vector<Parameter>& parameters = tuned.parameters();
-  const std::vector<double> start = tuned.start();
+  const std::vector<double> start = options.earlier ? options.earlier->inner : tuned.start();
+  const long simulated_before = options.earlier ? options.earlier->simulations : 0;
   const auto count = static_cast<Index>(parameters.size());
   FitResult result;
   result.scene = tuned.scene();
@@ -243,11 +255,17 @@ FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOp
   if (!first)
     throw Error(tuned.scene().file.string(), "does not converge with its own values",
                 "expected a scene that fascia run --reference simulates");
-  result.start_misfit = rms(first->residuals);
-  const double first_norm = first->residuals.norm();
+  result.start_misfit = options.earlier ? options.earlier->start_misfit : rms(first->residuals);
   if (options.say)
-    options.say("simulation 1: misfit " + number(result.start_misfit) + ", " + described(parameters, first->inner));
-  Functor functor(misfit, best_of_sweep(misfit, std::move(*first), options), options);
+    options.say("simulation 1: misfit " + number(rms(first->residuals)) + ", " + described(parameters, first->inner));
+  const auto keep = [&](const Misfit::Point& point) {
+    if (options.keep)
+      options.keep(
+          {{point.inner.begin(), point.inner.end()}, simulated_before + misfit.simulations(), result.start_misfit});
+  };
+  Misfit::Point begin = options.earlier ? std::move(*first) : best_of_sweep(misfit, std::move(*first), options);
+  if (options.stop.stop_requested()) return stopped();
+  Functor functor(misfit, std::move(begin), result.start_misfit, options, keep);
 
   Eigen::LevenbergMarquardt<Functor> solver(functor);
   solver.parameters.factor = 1.5;  // the first step at most, in inner coordinates
@@ -267,14 +285,14 @@ FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOp
     result.misfit = rms(minimum.residuals);
     result.simulated = minimum.response.values;
     result.exact_rates = misfit.exact(minimum);
-    const double magnitude = std::max(magnitude_of(misfit, minimum), first_norm);
+    const double magnitude = magnitude_of(misfit, minimum, result.start_misfit);
     result.estimates = estimate(parameters, {minimum.inner, minimum.residuals, functor.rates_at(minimum),
                                              options.noise_known, magnitude, subject_of(experiment)});
     if (options.stop.stop_requested()) return stopped();
-    result.simulations = misfit.simulations();
+    result.simulations = simulated_before + misfit.simulations();
     result.scene = tuned.at({minimum.inner.begin(), minimum.inner.end()}).scene;
-    if (result.converged) result.profiles = profiles_of(misfit, minimum, result.estimates, options);
-    result.profile_simulations = misfit.simulations() - result.simulations;
+    if (result.converged) result.profiles = profiles_of(misfit, minimum, result.estimates, functor.is_exact(), options);
+    result.profile_simulations = simulated_before + misfit.simulations() - result.simulations;
     if (options.stop.stop_requested()) return stopped();
   } catch (const Stopped&) {
     return stopped();

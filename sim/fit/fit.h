@@ -2,6 +2,7 @@
 // of Levenberg and Marquardt (More 1978, as in MINPACK; Eigen's port of it).
 #pragma once
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -13,13 +14,22 @@
 
 namespace fascia {
 
+/// How far a fit has come.
+struct FitProgress {
+  std::vector<double> inner;  // [parameter] the best values so far
+  long simulations = 0;
+  double start_misfit = 0;
+};
+
 struct FitOptions {
   int sweep = 0;    // simulations spread over the parameters' ranges before the fit, which begins at the best one
   int profile = 3;  // points of each profile at either side of the minimum
   int most_simulations = 100;
   bool noise_known = false;
   std::stop_token stop = {};
-  std::function<void(const std::string&)> say = {};  // a line of progress
+  std::function<void(const std::string&)> say = {};   // a line of progress
+  std::optional<FitProgress> earlier = {};            // of an interrupted fit: begins there, without a sweep
+  std::function<void(const FitProgress&)> keep = {};  // called with every point that is better than those before
 };
 
 /// The misfit along one parameter, the others where they follow it to first order.

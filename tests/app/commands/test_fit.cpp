@@ -1,7 +1,9 @@
 // fascia fit fits what fascia run wrote.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <thread>
 
+#include "app/system/spawned_program.h"
 #include "base/file.h"
 #include "sim/scene/scene.h"
 #include "tests/support/support.h"
@@ -32,7 +34,8 @@ TEST_CASE("fit finds the values that made a shape, and writes its files", "[fit]
   const Scene fitted = open_scene(folder / "out/scene.json");
   CHECK(fitted.bodies[0].material.poisson_ratio == Approx(0.35).epsilon(1e-6));
   CHECK(run_fascia({"run", out + "/scene.json", "--steps", "1", "--reference", "--quiet"}).exit_code == 0);
-  CHECK(std::filesystem::exists(folder / "out/report.html"));
+  // Of vertices, too, a fit without residuals has a profile over a tenth of the value, and ends once it is exact.
+  CHECK(read_file(folder / "out/report.html").find("Up to a tenth of the value or of its range") != std::string::npos);
 }
 
 TEST_CASE("fit finds the values that made a history", "[fit]") {
@@ -50,6 +53,40 @@ TEST_CASE("fit finds the values that made a history", "[fit]") {
   CHECK(result.err.empty());
   CHECK(result.out.find(kYoung + "  30000 Pa") != std::string::npos);
   CHECK(result.out.find("rates by implicit differentiation") != std::string::npos);
+}
+
+TEST_CASE("a fit that is killed goes on with the same command, and another one is refused", "[fit]") {
+  const TemporaryFolder folder;
+  const std::string history = (folder / "history.csv").string(), out = (folder / "out").string();
+  REQUIRE(run_fascia({"run", kCube, "--reference", "--steps", "100", "--set", kYoung + "=9000", "--history", history,
+                      "--quiet"})
+              .exit_code == 0);
+  const std::vector<std::string> same = {"fit",    kCube,  "--measured", history, "--columns", "probe",
+                                         "--free", kYoung, "--profile",  "0",     "--out",     out};
+  const std::filesystem::path record = folder / "out/progress.json";
+  {
+    std::vector<std::string> command = same;
+    command.insert(command.begin(), FASCIA_BINARY);
+    SpawnedProgram killed(command);
+    const auto better = [&] {  // than the start
+      return std::filesystem::exists(record) && nlohmann::json::parse(read_file(record))["simulations"] > 1;
+    };
+    while (!better() && !killed.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    REQUIRE_FALSE(killed.ended());
+  }
+  std::vector<std::string> other = same;
+  other.insert(other.end(), {"--set", "materials.default.density=900"});
+  const CommandResult refused = run_fascia(other);
+  INFO(refused.err);
+  CHECK(refused.exit_code != 0);
+  CHECK(refused.err.find("is of an interrupted fit with another scene") != std::string::npos);
+
+  const CommandResult rest = run_fascia(same);
+  INFO(rest.out << rest.err);
+  CHECK(rest.exit_code == 0);
+  CHECK(rest.err.find("fascia: goes on after ") != std::string::npos);
+  CHECK(rest.out.find(kYoung + "  9000 Pa") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(record));
 }
 
 TEST_CASE("fit says what is wrong, with its exit code", "[fit]") {

@@ -214,6 +214,27 @@ TEST_CASE("a sweep finds a far start", "[fit]") {
   CHECK(lines[1].starts_with("sweep: the best of 9 simulations"));
 }
 
+TEST_CASE("a fit goes on from the record of an earlier one", "[fit]") {
+  const BlockScene block;
+  std::vector<Measurement> measured{{"pull.csv", 1, {force(4)}, {}, {}}};
+  test::measure(measured, block.scene({std::string(kYoung) + "=5000"}), true, 0.01, 1);
+  std::vector<FitProgress> records;
+  FitOptions options = without_profile();
+  options.keep = [&](const FitProgress& progress) { records.push_back(progress); };
+  const FitResult whole = fitted(block.scene(), measured, {kYoung}, true, options);
+  REQUIRE(records.size() >= 3);
+  CHECK(records.front().simulations == 1);
+  options.earlier = records[1];
+  records.clear();
+  const FitResult rest = fitted(block.scene(), measured, {kYoung}, true, options);
+  CAPTURE(whole.simulations, rest.simulations);
+  CHECK(rest.converged);
+  CHECK(rest.start_misfit == whole.start_misfit);
+  CHECK(records.front().simulations == options.earlier->simulations + 1);  // that of its own first point
+  CHECK(rest.simulations <= whole.simulations + 1);
+  CHECK(rest.estimates.parameters[0].value == Approx(whole.estimates.parameters[0].value).epsilon(1e-5));
+}
+
 TEST_CASE("a fit that is stopped says so, and one of too few values is refused", "[fit]") {
   const BlockScene block;
   std::vector<Measurement> measured{{"pull.csv", 1, {force(1)}, {}, {}}};
