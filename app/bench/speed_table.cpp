@@ -4,21 +4,11 @@
 #include <charconv>
 #include <sstream>
 
+#include "base/csv_line.h"
 #include "base/error.h"
 #include "base/file.h"
 
 namespace fascia {
-namespace {
-
-std::vector<std::string> cells_of_line(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-}  // namespace
-
 std::vector<SpeedRow> read_speeds(const std::filesystem::path& path) {
   std::istringstream in(read_file(path));
   std::vector<SpeedRow> rows;
@@ -30,9 +20,9 @@ std::vector<SpeedRow> read_speeds(const std::filesystem::path& path) {
       throw Error(path.string() + ":" + std::to_string(number), what, "expected a speed.csv of fascia bench speed");
     };
     if (line.empty() || line.front() == '#') continue;
-    const std::vector<std::string> cells = cells_of_line(line);
+    const std::vector<std::string_view> cells = csv_cells(line);
     if (columns.empty()) {
-      columns = cells;
+      columns.assign(cells.begin(), cells.end());
       continue;
     }
     const auto text = [&](const std::string& name) {
@@ -40,7 +30,7 @@ std::vector<SpeedRow> read_speeds(const std::filesystem::path& path) {
       if (at == columns.end()) fail("no column " + name);
       const auto index = static_cast<std::size_t>(at - columns.begin());
       if (index >= cells.size()) fail("no " + name);
-      return cells[index];
+      return std::string(cells[index]);
     };
     const auto value = [&](const std::string& name) {
       const std::string cell = text(name);

@@ -1,7 +1,6 @@
 #include "sim/model/vertex_csv.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -9,19 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include "base/csv_line.h"
 #include "base/error.h"
 #include "base/file.h"
 
 namespace fascia {
 namespace {
-
-constexpr std::string_view kSpace = " \t\r";
-
-std::string_view trim(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
 
 template <class T>
 std::optional<T> parse(std::string_view field) {
@@ -30,18 +22,6 @@ std::optional<T> parse(std::string_view field) {
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
   return value;
-}
-
-/// The four fields of a line; none for more or fewer, for which the caller words the error.
-std::optional<std::array<std::string_view, 4>> split(std::string_view line) {
-  std::array<std::string_view, 4> fields;
-  for (std::size_t f = 0; f < 4; ++f) {
-    const std::size_t comma = line.find(',');
-    if ((comma == std::string_view::npos) != (f == 3)) return std::nullopt;
-    fields[f] = trim(line.substr(0, comma));
-    if (f < 3) line.remove_prefix(comma + 1);
-  }
-  return fields;
 }
 
 std::string quoted(std::string_view text) {
@@ -57,7 +37,8 @@ struct Row {
   Eigen::Vector3d value;
 };
 
-Row parse_row(const std::array<std::string_view, 4>& fields, const std::string& where, std::size_t vertex_count) {
+// `fields`: index, x, y, z.
+Row parse_row(const std::vector<std::string_view>& fields, const std::string& where, std::size_t vertex_count) {
   const auto index = parse<std::int64_t>(fields[0]);
   if (!index) throw Error(where, quoted(fields[0]) + " is not a vertex index", "expected index,x,y,z");
   if (*index < 0 || static_cast<std::size_t>(*index) >= vertex_count) {
@@ -89,17 +70,17 @@ VertexTable read_vertex_csv_content(const std::filesystem::path& path, std::stri
   bool may_be_header = true;
   for (std::size_t line_number = 1; !rest.empty(); ++line_number) {
     const std::size_t newline = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = trim(rest.substr(0, newline));
+    const std::string_view line = trimmed(rest.substr(0, newline));
     rest.remove_prefix(std::min(newline + 1, rest.size()));
     if (line.empty()) continue;
     const std::string where = path.string() + ":" + std::to_string(line_number);
-    const auto fields = split(line);
-    if (!fields) throw Error(where, quoted(line) + " does not have 4 fields", "expected index,x,y,z");
-    const bool is_header = may_be_header && std::none_of(fields->begin(), fields->end(),
+    const std::vector<std::string_view> fields = csv_cells(line);
+    if (fields.size() != 4) throw Error(where, quoted(line) + " does not have 4 fields", "expected index,x,y,z");
+    const bool is_header = may_be_header && std::none_of(fields.begin(), fields.end(),
                                                          [](std::string_view f) { return parse<double>(f); });
     may_be_header = false;
     if (is_header) continue;
-    rows.push_back(parse_row(*fields, where, vertex_count));
+    rows.push_back(parse_row(fields, where, vertex_count));
     rows.back().line = line_number;
   }
   if (rows.empty()) throw Error(path.string(), "has no rows", "expected lines index,x,y,z");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/csv_line.h"
 #include "base/error.h"
 #include "base/file.h"
 
@@ -11,13 +12,6 @@ namespace fascia {
 namespace {
 
 constexpr double kAfterGrab = 1;  // [s] not counted: the first grab may compile kernels
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-  return cells;
-}
 
 bool is_part(const std::string& column) { return column.ends_with("_ms") && column != "elapsed_ms"; }
 
@@ -44,18 +38,19 @@ std::vector<LoggedFrame> read_frame_log(const std::filesystem::path& path) {
   std::istringstream in(read_file(path));
   std::string line;
   std::getline(in, line);
-  const std::vector<std::string> columns = cells_of(line);
+  const std::vector<std::string_view> names = csv_cells(line);
+  const std::vector<std::string> columns(names.begin(), names.end());
   for (const char* needed : {"ended_s", "elapsed_ms", "steps", "simulated_s", "fused", "pointer_x", "pointer_y"})
     if (std::find(columns.begin(), columns.end(), needed) == columns.end())
       throw Error(path.string(), std::string("has no column ") + needed, "expected a file of --frame-log");
   std::vector<LoggedFrame> frames;
   while (std::getline(in, line)) {
-    const std::vector<std::string> cells = cells_of(line);
+    const std::vector<std::string_view> cells = csv_cells(line);
     if (cells.size() != columns.size())
       throw Error(path.string(), "line " + std::to_string(frames.size() + 2), "expected a value for every column");
     LoggedFrame frame;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      const double value = std::stod(cells[c]);
+      const double value = std::stod(std::string(cells[c]));
       const std::string& name = columns[c];
       if (name == "ended_s") frame.ended = value;
       if (name == "elapsed_ms") frame.elapsed_ms = value;

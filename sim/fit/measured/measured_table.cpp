@@ -4,27 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/csv_line.h"
 #include "base/error.h"
 
 namespace fascia {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t begin = std::min(text.find_first_not_of(kBlank), text.size());
-  text.remove_prefix(begin);
-  return text.substr(0, text.find_last_not_of(kBlank) + 1);  // npos + 1 is 0
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return cells;
-}
 
 double value_of(std::string_view cell, const std::string& where, const std::string& name) {
   if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -53,7 +37,7 @@ MeasuredTable read_measured_table(const std::filesystem::path& file, std::string
       continue;
     }
     const std::string where = file.string() + ":" + std::to_string(number);
-    const std::vector<std::string_view> cells = cells_of(line);
+    const std::vector<std::string_view> cells = csv_cells(line);
     if (table.names.empty()) {
       table.header_line = number;
       table.names.assign(cells.begin(), cells.end());
