@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/tool/shape_distance.h"
+#include "sim/tool/tool_entry.h"
 
 namespace fascia {
 
@@ -13,7 +14,7 @@ using Eigen::VectorXd;
 
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                              const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
-                             std::vector<PairRow> pairs)
+                             std::vector<PairRow> pairs, const std::vector<Vector3d>& aim)
     : model_(model),
       surface_(surface),
       rows_(surface.row_count),
@@ -33,6 +34,13 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
       row.pressing = 0;
       row.friction.setZero();
+      if (!aim.empty())
+        if (const auto entry =
+                entry_into(tool.shape, after.to_local(position(surface.points[p], start)),
+                           after.to_local(position(surface.points[p], aim)), 0.5 * model.contact.thickness)) {
+          row.normal = after.axes * entry->normal;
+          row.plane = entry->offset + row.normal.dot(after.origin);
+        }
       if (memory.size() < rows_.size()) continue;
       const ContactForce& force = memory[piece.first_row + p];
       row.pressing = force.normal;
@@ -51,14 +59,26 @@ Vector3d ContactEnergy::position(const ContactPoint& point, const VectorXd& u) c
   return x;
 }
 
+Vector3d ContactEnergy::position(const ContactPoint& point, const std::vector<Vector3d>& u) const {
+  Vector3d x(0, 0, 0);
+  for (std::size_t k = 0; k < 3; ++k)
+    x += point.weights[k] * (model_.rest_positions[point.vertices[k]] + u[point.vertices[k]]);
+  return x;
+}
+
 ContactEnergy::Contact ContactEnergy::contact_of(const ContactPiece& piece, std::size_t p, const VectorXd& u) const {
   const Piece& placed = pieces_[static_cast<std::size_t>(&piece - surface_.pieces.data())];
   const Row& row = rows_[piece.first_row + p];
   Contact contact;
   contact.x = position(surface_.points[p], u);
-  const ShapeDistance distance = distance_to(*placed.shape, placed.pose.to_local(contact.x));
-  contact.normal = placed.pose.axes * distance.normal;
-  contact.curvature = placed.pose.axes * distance.curvature * placed.pose.axes.transpose();
+  ShapeDistance distance{row.plane ? row.normal.dot(contact.x) - *row.plane : 0, row.normal, Matrix3d::Zero()};
+  if (!row.plane) {
+    distance = distance_to(*placed.shape, placed.pose.to_local(contact.x));
+    distance.normal = placed.pose.axes * distance.normal;
+    distance.curvature = placed.pose.axes * distance.curvature * placed.pose.axes.transpose();
+  }
+  contact.normal = distance.normal;
+  contact.curvature = distance.curvature;
   contact.depth = 0.5 * model_.contact.thickness - distance.distance;
   contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
   const Vector3d way = contact.x - row.anchor;

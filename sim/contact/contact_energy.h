@@ -14,6 +14,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sim/contact/contact_block.h"
@@ -28,11 +29,11 @@ namespace fascia {
 class ContactEnergy {
  public:
   /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory
-  /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. The first two outlive this
-  /// object.
+  /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. `aim`: displacements where
+  /// velocities lead, if any. The first two outlive this object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
-                std::vector<PairRow> pairs = {});
+                std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {});
 
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count].
   double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) const;
@@ -54,10 +55,11 @@ class ContactEnergy {
   };
   struct Row {
     double stiffness;
-    Eigen::Vector3d friction;  // t, across `normal`
-    Eigen::Vector3d anchor;    // where the piece takes the point to that was at the start [m]
-    Eigen::Vector3d normal;    // n0
-    double pressing;           // lambda
+    Eigen::Vector3d friction;     // t, across `normal`
+    Eigen::Vector3d anchor;       // where the piece takes the point to that was at the start [m]
+    Eigen::Vector3d normal;       // n0
+    double pressing;              // lambda
+    std::optional<double> plane;  // offset of the plane across `normal` that stands for the piece (tool_entry.h) [m]
   };
   struct Contact {
     Eigen::Vector3d x, normal, tangential;  // tangential: q
@@ -66,6 +68,7 @@ class ContactEnergy {
   };
   Contact contact_of(const ContactPiece& piece, std::size_t p, const Eigen::VectorXd& u) const;
   Eigen::Vector3d position(const ContactPoint& point, const Eigen::VectorXd& u) const;
+  Eigen::Vector3d position(const ContactPoint& point, const std::vector<Eigen::Vector3d>& u) const;
   template <class F>
   void for_rows(F&& f) const;
 

@@ -9,14 +9,20 @@
 //
 // Each vertex remembers a force for every other body (up to kBodySlots), and each edge for one other edge: pairs that
 // slide along a surface keep their force. Of several pairs for one slot the nearest is taken.
+//
+// Normals say little where tissue is creased. What a solution of the step leads through each other all the same is
+// found by continuous collision detection and guarded: a pair with the normal that it went through by, whatever the
+// normals of its sides, in slots of its own.
 #pragma once
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/contact/box_tree.h"
 #include "sim/contact/pair_row.h"
+#include "sim/contact/penetration.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/model/state.h"
 
@@ -40,11 +46,14 @@ class PairSearch {
   std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
                             std::span<const ContactForce> before);
 
-  /// After find(), with the result of its step: whether an edge of the surface goes through a triangle that it did not
-  /// go through at the start, since the pairs were not those that the tissue met. Another find() with this end has
-  /// them. `end` [vertex_count] [m].
+  /// After find(), with the result of its step: whether the step must be solved again, since an edge of the surface
+  /// goes through a triangle that it did not go through at the start, or a pair was pressed in by most of the skin.
+  /// `end` [vertex_count] [m].
   bool misses(const std::vector<Eigen::Vector3d>& end);
-  static constexpr int kMostSearches = 4;  // of a step
+  /// After misses(): the pairs on the way to that result, and those that keep apart what it led through each other.
+  /// Their forces of the step before (PairRow::before) are raised where they were too weak.
+  std::vector<PairRow> find_again();
+  static constexpr int kMostSearches = 12;
 
  private:
   struct Candidate {
@@ -52,7 +61,33 @@ class PairSearch {
     double distance = 0;       // by which the pairs of a slot are compared: the least one takes it [m]
     std::uint32_t second = 0;  // of two edges
   };
-  void place(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end);
+  static constexpr std::uint32_t kNone = ~0u;
+  static constexpr double kMargin = 0.25;  // of the mean edge: pairs this much farther than the skin may touch by what
+                                           // forces do in the step
+  struct Crossing {
+    double s = 0, t = 0;  // shares of the way along the two edges
+  };
+  /// The nearest points of two lines that are not parallel.
+  static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
+                                             const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
+  std::vector<PairRow> find_pairs();
+  void keep_guards();
+  void keep_guard_of_vertex(std::uint32_t vertex);
+  void keep_guard_of_edge(std::uint32_t edge);
+  void add_guards();
+  bool guard(std::uint32_t edge, std::uint32_t triangle);
+  bool add_guard(const Passage& passage, const std::array<std::uint32_t, 4>& vertices, double area,
+                 std::initializer_list<std::uint32_t> slots);
+  bool press_harder(const PairRow& row);
+  double depth_of(const PairRow& row) const;  // at end_ [m]
+  bool all_held(const std::array<std::uint32_t, 4>& vertices) const;
+  std::uint32_t guard_of_vertex(std::uint32_t vertex) const;
+  std::uint32_t guard_of_edge(std::uint32_t edge) const {
+    return first_guard_ + static_cast<std::uint32_t>(vertices_.size()) + edge;
+  }
+  template <class F>
+  void for_cuts(std::uint32_t edge, std::uint32_t body, const std::vector<Eigen::Vector3d>& x, F&& found) const;
+  void place();  // what follows from start_ and end_
   void offer(const Candidate& candidate);
   void choose_crossings();
   void look_at_vertex(std::size_t index, std::uint32_t body);
@@ -68,13 +103,12 @@ class PairSearch {
     for (const std::uint32_t v : vertices) near_[v] = 1;
   }
   void fit_trees(const std::vector<Eigen::AlignedBox3d>& boxes);
-  bool cuts(std::uint32_t edge, std::uint32_t body, const std::vector<Eigen::Vector3d>& now) const;
   double way_of(std::uint32_t v) const { return (end_[v] - start_[v]).norm(); }
 
   bool self_ = false, bodies_ = false;
   double skin_ = 0, edge_ = 0;  // [m]; edge: the mean length of edges
   double penalty_ = 0;
-  std::uint32_t slot_count_ = 0, body_slots_ = 0;
+  std::uint32_t slot_count_ = 0, body_slots_ = 0, first_guard_ = 0;  // slots of guards: vertices, then edges
   std::vector<Eigen::Vector3d> rest_;
   std::vector<char> held_;
   std::vector<Triangle> triangles_;
@@ -96,6 +130,9 @@ class PairSearch {
   std::vector<char> convex_;                     // [edge] or pressed
   std::vector<char> near_;                       // [vertex_count] to other surface
   std::vector<char> pressed_;                    // [slot] in the step before
+  std::vector<double> normal_;                   // [slot] force that pairs start with [N]
+  std::vector<PairRow> guards_;
+  std::vector<char> raised_;  // [slot] since the last search
   std::vector<PairRow> rows_;
   std::vector<Candidate> crossings_;   // of edges
   std::vector<double> cost_;           // [slot] of the pair that holds it

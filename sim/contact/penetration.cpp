@@ -1,11 +1,95 @@
 #include "sim/contact/penetration.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
 #include "sim/contact/tissue_surface.h"
 #include "sim/surface/surface_repair.h"
 
 namespace fascia {
+namespace {
 
 using Eigen::Vector3d;
+using Corners = std::array<Vector3d, 4>;
+
+constexpr double kRounding = 1e-6;  // of barycentric coordinates
+
+double volume6(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return a.cross(b).dot(c); }
+
+// The cubic volume of the three edges from vertex 0 as they move.
+class Volume {
+ public:
+  Volume(const Corners& from, const Corners& to) {
+    const Vector3d a = from[1] - from[0], b = from[2] - from[0], c = from[3] - from[0];
+    const Vector3d da = to[1] - to[0] - a, db = to[2] - to[0] - b, dc = to[3] - to[0] - c;
+    k_ = {volume6(a, b, c), volume6(da, b, c) + volume6(a, db, c) + volume6(a, b, dc),
+          volume6(a, db, dc) + volume6(da, b, dc) + volume6(da, db, c), volume6(da, db, dc)};
+  }
+  double at(double t) const { return k_[0] + t * (k_[1] + t * (k_[2] + t * k_[3])); }
+
+  // The roots between 0 and 1, ascending.
+  std::vector<double> roots() const {
+    std::vector<double> ends{0};
+    for (const double t : turns())
+      if (t > 0 && t < 1) ends.push_back(t);
+    ends.push_back(1);
+    std::vector<double> roots;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      double low = ends[i], high = ends[i + 1];
+      const bool rises = at(low) < 0;
+      if (rises == (at(high) < 0)) continue;
+      for (int halves = 0; halves < 52; ++halves) {
+        const double middle = 0.5 * (low + high);
+        ((at(middle) < 0) == rises ? low : high) = middle;
+      }
+      roots.push_back(0.5 * (low + high));
+    }
+    return roots;
+  }
+
+ private:
+  // Where the slope is 0, ascending.
+  std::vector<double> turns() const {
+    const double a = 3 * k_[3], b = 2 * k_[2], c = k_[1], root = b * b - 4 * a * c;
+    if (root < 0) return {};
+    const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));
+    std::vector<double> turns;
+    if (a != 0) turns.push_back(q / a);
+    if (q != 0) turns.push_back(c / q);
+    std::sort(turns.begin(), turns.end());
+    return turns;
+  }
+  std::array<double, 4> k_;
+};
+
+// `weights_at`(corners, weights, normal): whether the sides meet there, and the normal of any length.
+template <class F>
+std::optional<Passage> first_passage(const Corners& from, const Corners& to, F&& weights_at) {
+  const Volume volume(from, to);
+  double before = 0;
+  for (const double share : volume.roots()) {
+    Passage passage;
+    passage.share = share;
+    Corners now;
+    for (std::size_t k = 0; k < 4; ++k) now[k] = from[k] + share * (to[k] - from[k]);
+    const bool meets = weights_at(now, passage.weights, passage.normal);
+    const double length = passage.normal.norm();
+    if (meets && length > 0) {
+      // On which side the first one was before.
+      const double middle = 0.5 * (before + share);
+      double gap = 0;
+      for (std::size_t k = 0; k < 4; ++k)
+        gap += passage.weights[k] * passage.normal.dot(from[k] + middle * (to[k] - from[k]));
+      passage.normal /= gap < 0 ? -length : length;
+      return passage;
+    }
+    before = share;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 bool goes_through(const Vector3d& p, const Vector3d& q, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const double above = signed_volume6(a, b, c, p), below = signed_volume6(a, b, c, q);
@@ -19,6 +103,31 @@ std::size_t penetrating_triangles(const Model& model, const std::vector<Vector3d
   std::vector<Vector3d> positions = model.rest_positions;
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += displacement[v];
   return self_intersections(TriangleTree(std::move(positions), tissue_boundary(model))).pairs.count;
+}
+
+std::optional<Passage> vertex_through_triangle(const Corners& from, const Corners& to) {
+  return first_passage(from, to, [](const Corners& x, std::array<double, 4>& weights, Vector3d& normal) {
+    const Vector3d b = x[2] - x[1], c = x[3] - x[1], local = x[0] - x[1];
+    normal = b.cross(c);
+    const double twice_area2 = normal.squaredNorm();
+    if (twice_area2 == 0) return false;
+    const double beta = local.cross(c).dot(normal) / twice_area2, gamma = b.cross(local).dot(normal) / twice_area2;
+    weights = {1, beta + gamma - 1, -beta, -gamma};
+    return std::min({1 - beta - gamma, beta, gamma}) >= -kRounding;
+  });
+}
+
+std::optional<Passage> edge_through_edge(const Corners& from, const Corners& to) {
+  return first_passage(from, to, [](const Corners& x, std::array<double, 4>& weights, Vector3d& normal) {
+    const Vector3d a = x[1] - x[0], b = x[3] - x[2], between = x[2] - x[0];
+    const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b), det = aa * bb - ab * ab;
+    if (det <= 1e-12 * aa * bb) return false;
+    const double p = between.dot(a), q = between.dot(b);
+    const double s = (bb * p - ab * q) / det, t = (ab * p - aa * q) / det;
+    normal = a.cross(b);
+    weights = {1 - s, s, t - 1, -t};
+    return std::min({s, 1 - s, t, 1 - t}) >= -kRounding;
+  });
 }
 
 }  // namespace fascia

@@ -1,5 +1,10 @@
-// Counts what must not be: triangles of the tissue's surface that cut each other.
+// What must not be: triangles of the tissue's surface that cut each other; and when a vertex goes through a triangle,
+// or an edge through an edge, while all of them move on straight: the root of a cubic at which the four vertices lie in
+// a plane (Provot 1997).
 #pragma once
+#include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "sim/model/model.h"
@@ -13,5 +18,18 @@ bool goes_through(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eige
 /// The number of pairs of surface triangles without a common vertex of which an edge of one goes through the other, at
 /// displacements [vertex_count] [m].
 std::size_t penetrating_triangles(const Model& model, const std::vector<Eigen::Vector3d>& displacement);
+
+struct Passage {
+  double share = 0;                 // of the motion [0, 1], the first one
+  std::array<double, 4> weights{};  // of the four vertices: they sum to 0, those above 0 are of the first side
+  Eigen::Vector3d normal{0, 0, 0};  // a unit vector toward the side that the vertex, or the first edge, comes from
+};
+
+/// Vertex 0 and the triangle of vertices 1, 2, 3.
+std::optional<Passage> vertex_through_triangle(const std::array<Eigen::Vector3d, 4>& from,
+                                               const std::array<Eigen::Vector3d, 4>& to);
+/// The edge of vertices 0, 1 and that of 2, 3.
+std::optional<Passage> edge_through_edge(const std::array<Eigen::Vector3d, 4>& from,
+                                         const std::array<Eigen::Vector3d, 4>& to);
 
 }  // namespace fascia

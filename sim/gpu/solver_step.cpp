@@ -62,7 +62,7 @@ void GpuSolver::place_tools(double duration) {
   if (!contact_.acts()) return;
   const double from = (time_ - step_begin_) / settings_.time_step;
   stage_motion_ = step_motion_.part(from, from + duration / settings_.time_step);
-  contact_.begin_stage(stage_motion_, duration, buffers_);
+  contact_.begin_stage(stage_motion_, time_ + duration, duration, buffers_);
 }
 
 // A body that leaves what it touched would be held by the stiffness of the stage's start: of a collision's release, ten

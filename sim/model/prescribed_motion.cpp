@@ -20,6 +20,14 @@ Vector3d Motion::position(std::size_t k, const Vector3d& rest, double t) const {
   return center + (1 + share * (scale - 1)) * (rotation * (rest - center)) + share * translate;
 }
 
+void place_prescribed(const Model& model, double t, std::vector<Vector3d>& displacement) {
+  for (const Motion& motion : model.motions)
+    for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
+      const std::uint32_t v = motion.vertices[k];
+      displacement[v] = motion.position(k, model.rest_positions[v], t) - model.rest_positions[v];
+    }
+}
+
 void leave_out(const std::set<std::uint32_t>& others, Motion& motion) {
   std::vector<std::uint32_t>& vertices = motion.vertices;
   std::vector<Vector3d>& targets = motion.targets;

@@ -16,6 +16,9 @@ namespace fascia {
 Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const SelectableMesh& body,
                       const std::string& where, const std::string& key);
 
+/// Displacements of the prescribed vertices at time t; leaves those of the others.
+void place_prescribed(const Model& model, double t, std::vector<Eigen::Vector3d>& displacement);
+
 /// Takes the other vertices out of the motion, with their targets.
 void leave_out(const std::set<std::uint32_t>& others, Motion& motion);
 

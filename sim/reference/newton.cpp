@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
 #include "sim/contact/pair_search.h"
+#include "sim/model/prescribed_motion.h"
 #include "sim/model/unconstrained_parts.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
@@ -69,18 +70,30 @@ struct NewtonSolver::Impl {
         contact(make_contact_surface(model)),
         penalty(contact_stiffness(model, contact)),
         pairs(model),
-        loads(model.tools.size()) {}
+        loads(model.tools.size()) {
+    const UnconstrainedParts free = unconstrained_parts(model, model.held());
+    falls.assign(free.unconstrained.begin(), free.unconstrained.end());
+  }
 
   NewtonReport solve(const IntegratorStage& stage, const ToolMotion& motion, State& state);
   bool touches() const { return !contact.empty() || !pairs.empty(); }
-  /// Of a step from `start` under the forces in `memory`; `end`: where velocities lead.
-  std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const VectorXd& end,
+  /// Of a step from `start` under the forces in `memory`; `end`: where velocities lead, if anything `moves`.
+  std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const std::vector<Vector3d>& end,
                                                     const std::vector<double>& stiffness, const ToolMotion& motion,
-                                                    ContactMemory& memory) {
+                                                    ContactMemory& memory, bool moves = false) {
     memory.resize(contact.row_count + pairs.slot_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                           pairs.find(vectors_of(start), vectors_of(end), before));
+                                           pairs.find(vectors_of(start), end, before),
+                                           moves ? end : std::vector<Vector3d>());
+  }
+  /// After pairs.misses().
+  std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const std::vector<double>& stiffness,
+                                                     const ToolMotion& motion, const std::vector<Vector3d>& aim,
+                                                     ContactMemory& memory) {
+    std::vector<PairRow> rows = pairs.find_again();
+    for (const PairRow& row : rows) memory[contact.row_count + row.slot].normal = row.before;
+    return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion, std::move(rows), aim);
   }
   void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
     loads = energy->loads(u);
@@ -118,6 +131,7 @@ struct NewtonSolver::Impl {
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
   PairSearch pairs;
+  std::vector<char> falls;          // [vertex] in unconstrained parts
   std::optional<ToolMotion> tools;  // none: on their paths
   std::vector<ToolLoad> loads;
   std::vector<PairLoad> pair_loads;
@@ -179,7 +193,14 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);
   if (system.viscous()) potential.viscous = {strains(stage, old, earlier), stage.length};
-  if (touches()) potential.contact = contact_from(old, old + stage.duration * velocity, penalty, motion, state.contact);
+  std::vector<Vector3d> aim;
+  if (touches()) {
+    aim = vectors_of(old + stage.duration * velocity);
+    for (std::size_t v = 0; v < aim.size(); ++v)
+      if (falls[v]) aim[v] += stage.duration * stage.duration * model.gravity;
+    place_prescribed(model, state.time + stage.duration, aim);
+    potential.contact = contact_from(old, aim, penalty, motion, state.contact, true);
+  }
 
   // The inertial prediction is the better start, but not if it inverts tets.
   VectorXd u = old;
@@ -190,7 +211,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
   for (int again = 0; again < PairSearch::kMostSearches && pairs.misses(vectors_of(u)); ++again) {
-    potential.contact = contact_from(old, u, penalty, motion, state.contact);
+    potential.contact = contact_again(old, penalty, motion, aim, state.contact);
     const NewtonReport more = minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u);
     report.iterations += more.iterations;
     report.relative_residual = more.relative_residual;
@@ -227,7 +248,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     }
     if (change <= steady_forces * largest && largest > 0) return;
     // Tissue that slides along tissue meets other faces.
-    potential.contact = contact_from(pairs.empty() ? start : u, u, stiffness, motion, memory);
+    potential.contact = contact_from(pairs.empty() ? start : u, vectors_of(u), stiffness, motion, memory);
     const NewtonReport pass_report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
     report.iterations += pass_report.iterations;
     report.relative_residual = pass_report.relative_residual;
@@ -251,7 +272,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
   for (double& k : stiffer) k *= static_penalty;
   const auto potential = [&](double s) {
     Potential result{{}, zero, start, start, weight - (1 - s) * missing};
-    if (touches()) result.contact = contact_from(start, start, stiffer, motion.part(0, s), state.contact);
+    if (touches()) result.contact = contact_from(start, vectors_of(start), stiffer, motion.part(0, s), state.contact);
     for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
       const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
       GrabSpring now = spring;

@@ -1,7 +1,9 @@
 // Begins a stage at every contact point: finds the pieces that it may touch within the stage, and for these the anchor
 // of friction and the normal. A point is near a piece that it pressed before, or if its distance at the start is less
 // than twice its way to the inertial start of the iterations plus the way of the piece and a margin. How much of that way
-// its body goes before it meets the piece limits where the iterations start. After predict.
+// its body goes before it meets the piece limits where the iterations start. A point whose way leads through the piece, or
+// so deep into it that another side is nearer, meets for this stage the plane at which it enters, as
+// sim/tool/tool_entry.h states. After predict.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
@@ -19,6 +21,18 @@ OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
 INOUT(uint, ContactLimit, contact_limit)           // [bodies] contact_advance.comp; then [points] the bodies
 uniform uint pieces, bodies;
 
+// The share of the way from a to b, in the axes of the piece, at which it enters the piece; 1: not.
+float entry_of(uint piece, vec3 a, vec3 way) {
+  float size = length(way), share = 0.0;
+  for (int k = 0; k < ENTRY_STEPS; ++k) {
+    float d = distance_to(piece, a + share * way).w - half_thickness(piece);
+    if (d <= 0.01 * size) return share;
+    share += d / size;
+    if (share >= 1.0) return 1.0;
+  }
+  return 1.0;
+}
+
 void main() {
   ITEM_OR_RETURN(i)
   uvec4 vertices = FETCH(contact_vertices, i);
@@ -30,7 +44,7 @@ void main() {
     if (i >= points_of(piece)) continue;
     uint row = first_row_of(piece) + i;
     vec3 local = to_local(pose_at_start(piece), x);
-    vec4 d = distance_to(piece, local);
+    vec4 d = distance_to(piece, local), plane = vec4(0.0, 0.0, 0.0, NO_PLANE);
     vec4 memory = FETCH(contact_memory, row);
     contact_before[row] = memory;
     bool touches = memory.w > 0.0 || d.w - half_thickness(piece) < 2.0 * length(way) + reach_of(piece);
@@ -38,7 +52,21 @@ void main() {
     contact_anchor[row] = touches ? vec4(end.axes * local + end.origin, 0.0) : vec4(0.0);
     if (!touches) continue;
     near |= 1u << piece;
-    float before = distance_to(piece, to_local(end, x)).w, after = distance_to(piece, to_local(end, x + way)).w;
+    vec3 first = to_local(end, x), last = to_local(end, x + way), inward = last - first;
+    vec4 d_last = distance_to(piece, last);
+    float before = distance_to(piece, first).w, after = d_last.w, entry = 1.0;
+    if (length(inward) > max(finest_radius(piece), before - half_thickness(piece))) entry = entry_of(piece, first, inward);
+    if (entry < 1.0) {
+      vec3 place = first + entry * inward;
+      vec3 behind = first + min(1.0, entry + finest_radius(piece) / length(inward)) * inward;
+      vec4 d_entry = distance_to(piece, place);
+      float deepest = min(d_last.w, distance_to(piece, behind).w) - half_thickness(piece);
+      if (deepest < -0.01 * length(inward) && dot(d_entry.xyz, d_last.xyz) < 0.5) {
+        plane.xyz = end.axes * normalize(d_entry.xyz);
+        plane.w = dot(plane.xyz, end.axes * place + end.origin) - d_entry.w;
+        after = dot(plane.xyz, x + way) - plane.w;
+      }
+    }
     before -= half_thickness(piece);
     after -= half_thickness(piece);
     if (after < -let_in(piece) && after < before)
@@ -46,7 +74,7 @@ void main() {
 #if MESHES
     d.xyz = normalize(d.xyz);
 #endif
-    contact_normal_now[row] = vec4(end.axes * d.xyz, 0.0);
+    contact_normal_now[row] = plane.w == NO_PLANE ? vec4(end.axes * d.xyz, NO_PLANE) : plane;
   }
   contact_near[i] = near;
   contact_force[i] = vec4(0.0);

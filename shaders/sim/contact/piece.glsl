@@ -2,6 +2,7 @@
 // CYLINDERS and MESHES say which shapes there are; a sphere is a capsule without a length.
 #define PIECE_ROWS 11u
 #define MOST_PIECES 32u
+#define NO_PLANE 3e38
 INPUT_VEC4(ContactPieces, contact_pieces)  // [PIECE_ROWS * pieces]: sim/gpu/contact/contact_term.cpp
 
 struct PiecePose {
@@ -22,6 +23,7 @@ float share_of_penalty(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * p
 float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2u).w; }
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
+float finest_radius(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 10u).w; }
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 

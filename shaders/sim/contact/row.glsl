@@ -2,7 +2,7 @@
 // states them, without the curvature of the tool's surface. STICKING: the penalty on sliding over that on depth.
 #include "common/symmetric.glsl"
 #include "sim/contact/piece.glsl"
-INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0; valid where the row pressed before
+INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the plane that stands for the piece, or NO_PLANE
 
 struct Row {
   float pressing, before, depth, penalty;  // N [N], lambda [N], -d [m], k [N/m]
@@ -14,16 +14,20 @@ struct Row {
 // start [m].
 Row row_at(uint piece, uint row, vec3 x, float penalty, vec4 memory, vec3 anchor) {
   PiecePose pose = pose_at_end(piece);
-  vec4 d = distance_to(piece, to_local(pose, x));
+  vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
+  if (n0.w == NO_PLANE) {
+    d = distance_to(piece, to_local(pose, x));
+    d.xyz = pose.axes * d.xyz;
+  }
   Row r;
   r.before = memory.w;
   r.penalty = share_of_penalty(piece) * penalty;
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
-  r.normal = pose.axes * d.xyz;
+  r.normal = d.xyz;
   r.bound = friction_of(piece) * r.before;
-  vec3 n0 = FETCH(contact_normal, row).xyz, q = pose.axes * memory.xyz - STICKING * r.penalty * (x - anchor);
-  r.across = r.bound > 0.0 ? q - dot(q, n0) * n0 : vec3(0.0);
+  vec3 q = pose.axes * memory.xyz - STICKING * r.penalty * (x - anchor);
+  r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);
   return r;
 }
 

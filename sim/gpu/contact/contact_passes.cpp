@@ -5,6 +5,7 @@
 #include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/contact/piece_rows.h"
 #include "sim/gpu/passes/reduction.h"
+#include "sim/tool/tool_entry.h"
 
 namespace fascia {
 
@@ -45,10 +46,12 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
                            {"contact_weights", &weights_},
                            {"contact_rest", &rest_}});
   if (grids_) more.emplace_back("contact_grid", &grids_);
-  gl::ComputePass pass(programs.compute(kernel, defines()), std::move(more), point_count(),
+  gl::Defines with_entry = defines();
+  with_entry.emplace_back("ENTRY_STEPS", std::to_string(kEntrySteps));
+  gl::ComputePass pass(programs.compute(kernel, with_entry), std::move(more), point_count(),
                        {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
                         {"bodies", static_cast<std::uint32_t>(limits_.size())}});
-  pass.loops(loops_of_point());
+  pass.loops((kEntrySteps + 6) * loops_of_point());
   return pass;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "base/error.h"
 #include "sim/contact/tissue_surface.h"
@@ -104,16 +105,17 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
-  std::vector<std::uint32_t> body(buffers.vertex_count, kNoBody);
+  body_of_vertex_.assign(buffers.vertex_count, kNoBody);
   limits_.assign(std::max<std::size_t>(model.bodies.size(), 1), 1);
-  std::vector<std::uint32_t> limits(limits_.size() + point_count());
+  leaders_.resize(limits_.size());
+  std::iota(leaders_.begin(), leaders_.end(), 0u);
   const std::vector<char> held = model.held();
   const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
   for (std::size_t v = 0; v < held.size(); ++v)
-    if (!held[v]) body[buffers.placement.place[v]] = bodies[v];
-  for (std::uint32_t p = 0; p < point_count(); ++p) limits[limits_.size() + p] = body[vertices[p][0]];
-  body_ = gl::Buffer("contact_body", body);
-  limit_ = gl::Buffer("contact_limit", limits);
+    if (!held[v]) body_of_vertex_[buffers.placement.place[v]] = bodies[v];
+  body_ = gl::Buffer("contact_body", body_of_vertex_);
+  limit_ = gl::Buffer("contact_limit", std::vector<std::uint32_t>(limits_.size() + point_count()));
+  upload_leaders();
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.slot_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -161,14 +163,15 @@ void ContactTerm::materials_changed(const Model& model) {
   upload_points(model);
 }
 
-void ContactTerm::begin_stage(const ToolMotion& motion, double duration, SimBuffers& buffers) {
+void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration, SimBuffers& buffers) {
   if (!acts()) return;
   std::fill(limits_.begin(), limits_.end(), 1.0f);
   if (!surface_.empty()) place_pieces(motion);
   if (!pairs_.empty()) {
     const bool had_pairs = !pairs_.rows().empty();
-    pairs_.begin(duration, buffers, surface_.row_count);
-    pairs_.limit(limits_);
+    pairs_.begin(time, duration, buffers, surface_.row_count);
+    pairs_.limit(limits_, leaders_);
+    upload_leaders();
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
   }
   limit_.upload(0, limits_.size() * sizeof(float), limits_.data());
@@ -194,7 +197,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
-    rows.push_back(row_of(to.pose.origin));
+    rows.push_back(row_of(to.pose.origin, std::min(finest_radius(tool.shape), 1e30)));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;
@@ -224,6 +227,17 @@ void ContactTerm::upload_pairs() {
   constants_.upload(0, constants.size() * sizeof(vec4), constants.data());
   list_.upload(4 * sizeof(std::uint32_t), listed.size() * sizeof(std::uint32_t), listed.data());
   upload_entries();
+}
+
+void ContactTerm::upload_leaders() {
+  if (leaders_ == uploaded_leaders_) return;
+  uploaded_leaders_ = leaders_;
+  std::vector<std::uint32_t> of_vertices, of_points;
+  for (const std::uint32_t body : body_of_vertex_) of_vertices.push_back(body == kNoBody ? body : leaders_[body]);
+  for (std::uint32_t p = 0; p < point_count(); ++p) of_points.push_back(of_vertices[places_[p][0]]);
+  body_.upload(0, of_vertices.size() * sizeof(std::uint32_t), of_vertices.data());
+  if (!of_points.empty())
+    limit_.upload(limits_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
 }
 
 void ContactTerm::upload_entries() {

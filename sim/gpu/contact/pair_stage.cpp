@@ -1,7 +1,9 @@
 #include "sim/gpu/contact/pair_stage.h"
 
 #include <algorithm>
+#include <numeric>
 
+#include "sim/model/prescribed_motion.h"
 #include "sim/model/unconstrained_parts.h"
 
 namespace fascia {
@@ -9,23 +11,21 @@ namespace fascia {
 using Eigen::Vector3d;
 using shared::vec4;
 
-PairStage::PairStage(const Model& model) : search_(model), gravity_(model.gravity) {
+PairStage::PairStage(const Model& model) : model_(model), search_(model) {
   if (empty()) return;
   const UnconstrainedParts free = unconstrained_parts(model, model.held());
   falls_.assign(free.unconstrained.begin(), free.unconstrained.end());
 }
 
-void PairStage::materials_changed(const Model& model) {
-  search_.materials_changed(model);
-  gravity_ = model.gravity;
-}
+void PairStage::materials_changed(const Model& model) { search_.materials_changed(model); }
 
-void PairStage::begin(double duration, SimBuffers& buffers, std::uint32_t first_row) {
+void PairStage::begin(double time, double duration, SimBuffers& buffers, std::uint32_t first_row) {
   start_ = buffers.download_vectors(buffers.displacement);
   const std::vector<Vector3d> velocity = buffers.download_vectors(buffers.velocity);
   end_ = start_;
   for (std::size_t v = 0; v < end_.size(); ++v)
-    end_[v] += duration * velocity[v] + (falls_[v] ? duration * duration : 0) * gravity_;
+    end_[v] += duration * velocity[v] + (falls_[v] ? duration * duration : 0) * model_.gravity;
+  place_prescribed(model_, time, end_);
   find(buffers, first_row);
 }
 
@@ -33,32 +33,54 @@ bool PairStage::search_again(SimBuffers& buffers, std::uint32_t first_row) {
   if (empty() || !search_.sees_near()) return false;
   end_ = buffers.download_vectors(buffers.displacement);
   if (!search_.misses(end_)) return false;
-  find(buffers, first_row);
+  rows_ = search_.find_again();
+  upload_forces(buffers, first_row);
   return true;
 }
 
 void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
-  const std::size_t offset = sizeof(vec4) * first_row, bytes = sizeof(vec4) * slot_count();
-  std::vector<vec4> before(slot_count()), kept(slot_count());
-  buffers.contact_memory.download(offset, bytes, before.data());
+  before_.resize(slot_count());
+  buffers.contact_memory.download(sizeof(vec4) * first_row, sizeof(vec4) * slot_count(), before_.data());
   std::vector<ContactForce> forces;
-  for (const vec4& force : before) forces.push_back({{force.x, force.y, force.z}, force.w});
+  for (const vec4& force : before_) forces.push_back({{force.x, force.y, force.z}, force.w});
   rows_ = search_.find(start_, end_, forces);
-  for (const PairRow& pair : rows_) kept[pair.slot] = before[pair.slot];
+  upload_forces(buffers, first_row);
+}
+
+void PairStage::upload_forces(SimBuffers& buffers, std::uint32_t first_row) const {
+  const std::size_t offset = sizeof(vec4) * first_row, bytes = sizeof(vec4) * slot_count();
+  std::vector<vec4> kept(slot_count());
+  for (const PairRow& pair : rows_) {
+    kept[pair.slot] = before_[pair.slot];
+    kept[pair.slot].w = static_cast<float>(pair.before);
+  }
   buffers.contact_memory.upload(offset, bytes, kept.data());
   buffers.contact_before.upload(offset, bytes, kept.data());
 }
 
-void PairStage::limit(std::vector<float>& shares) const {
+void PairStage::limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const {
   constexpr double kLetIn = 0.05;  // of the skin: enough for what touches to press, and for its stiffness to be known
   const double let_in = kLetIn * search_.skin();
+  std::iota(leaders.begin(), leaders.end(), 0u);
+  const auto leader_of = [&](std::uint32_t body) {
+    while (leaders[body] != body) body = leaders[body];
+    return body;
+  };
   for (const PairRow& pair : rows_) {
     double way = 0;
     for (std::size_t k = 0; k < 4; ++k)
       way += pair.weights[k] * pair.normal.dot(end_[pair.vertices[k]] - start_[pair.vertices[k]]);
-    if (way >= 0 || pair.gap + way >= -let_in) continue;
+    const bool meets = way < 0 && pair.gap + way < -let_in;
+    if (!meets && pair.before <= 0) continue;
+    const std::uint32_t a = leader_of(pair.bodies[0]), b = leader_of(pair.bodies[1]);
+    leaders[std::max(a, b)] = std::min(a, b);
+    if (!meets) continue;
     const auto share = static_cast<float>(std::max(0.0, pair.gap + let_in) / -way);
-    for (const std::uint32_t body : pair.bodies) shares[body] = std::min(shares[body], share);
+    shares[pair.bodies[0]] = std::min(shares[pair.bodies[0]], share);
+  }
+  for (std::uint32_t body = 0; body < leaders.size(); ++body) {
+    leaders[body] = leader_of(body);
+    shares[leaders[body]] = std::min(shares[leaders[body]], shares[body]);
   }
 }
 

@@ -9,31 +9,35 @@ namespace fascia {
 
 class PairStage {
  public:
-  /// Empty if no tissue of the model touches tissue.
+  /// Empty if no tissue of the model touches tissue. `model` outlives this object.
   explicit PairStage(const Model& model);
-  void materials_changed(const Model& model);  // also for gravity
+  void materials_changed(const Model& model);
 
   bool empty() const { return search_.empty(); }
   std::uint32_t slot_count() const { return search_.slot_count(); }
 
-  /// Finds the pairs of a stage of `duration` [s]. Forces without a pair are forgotten, in the rows of the memory of
-  /// contact from `first_row` on. Waits for the GPU.
-  void begin(double duration, SimBuffers& buffers, std::uint32_t first_row);
+  /// Finds the pairs of a stage of `duration` that ends at `time` [s]. Forces without a pair are forgotten, in the rows
+  /// of the memory of contact from `first_row` on. Waits for the GPU.
+  void begin(double time, double duration, SimBuffers& buffers, std::uint32_t first_row);
   /// If the iterations led tissue through tissue, finds the pairs that are met on the way to their result. Waits for
   /// the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers, std::uint32_t first_row);
 
   const std::vector<PairRow>& rows() const { return rows_; }
   /// Lowers the shares [body] of the way to where velocities lead to those at which the body meets another, or itself.
-  void limit(std::vector<float>& shares) const;
+  /// Bodies that press each other, or meet, go together: `leaders` [body] gets the first body of each such group, whose
+  /// share is that of all.
+  void limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const;
 
  private:
   void find(SimBuffers& buffers, std::uint32_t first_row);
+  void upload_forces(SimBuffers& buffers, std::uint32_t first_row) const;
 
+  const Model& model_;  // its materials may change
   PairSearch search_;
   std::vector<PairRow> rows_;
-  std::vector<char> falls_;  // [vertex] in unconstrained parts
-  Eigen::Vector3d gravity_{0, 0, 0};
+  std::vector<shared::vec4> before_;          // [slot] xyz friction, w normal force that the step before left [N]
+  std::vector<char> falls_;                   // [vertex] in unconstrained parts
   std::vector<Eigen::Vector3d> start_, end_;  // [vertex] u at the start, and where the pairs are looked for up to [m]
 };
 

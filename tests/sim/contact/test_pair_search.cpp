@@ -1,4 +1,5 @@
 // Covers: tissue_surface
+// Covers: pair_candidates, pair_guards
 #include "sim/contact/pair_search.h"
 
 #include <catch2/catch.hpp>
@@ -121,6 +122,55 @@ TEST_CASE("a result that goes through other tissue is told from one that does no
   CHECK_FALSE(search.misses(end));
   for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v) end[v] = {0, -0.01, 0};
   CHECK(search.misses(end));
+}
+
+// Of the first solution of a step, which moves the upper box through the top of the lower one.
+TEST_CASE("what a solution leads through each other is guarded until it no longer presses", "[contact]") {
+  const Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.01, 0.01}), "upper");
+  PairSearch search(model);
+  std::vector<Vector3d> end = nowhere(model);
+  CHECK_FALSE(search.misses(end));
+  // Found without any way, then solved with one that is sideways at first sight: no pair has seen it.
+  found(search, model, {0, 0, 0});
+  for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v) end[v] = {0, -0.03, 0};
+  REQUIRE(search.misses(end));
+  const std::vector<PairRow> rows = search.find_again();
+  double raised = 0;
+  for (const PairRow& row : rows) {
+    raised += row.before;
+    CAPTURE(row.slot, row.normal.transpose(), row.before);
+    CHECK(row.normal.y() * (row.bodies[0] == 1 ? 1 : -1) > 0.5);  // edges of the rims meet between two sides
+    CHECK(row.slot < search.slot_count());
+  }
+  CHECK(raised > 0);  // pairs that were pressed in press harder
+  end = nowhere(model);
+  CHECK_FALSE(search.misses(end));
+}
+
+TEST_CASE("an edge that goes through a face meets it from where it came", "[contact]") {
+  // Two tets; an edge of the upper one goes down through the top of the lower one, at any angle of normals.
+  TetMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0.2, -1, 0.2}};
+  mesh.tets = {{0, 1, 2, 3}};
+  const auto tet = [&] { return test::make_model(mesh, test::soft(1e5), [](const Vector3d&) { return false; }); };
+  Model lower = tet();
+  if (signed_volume6(mesh.positions[0], mesh.positions[1], mesh.positions[2], mesh.positions[3]) < 0) {
+    std::swap(mesh.tets[0][0], mesh.tets[0][1]);
+    lower = tet();
+  }
+  const Model model = test::beside(lower, test::moved(lower, {0.05, 1.3, 0.05}), "upper");
+  PairSearch search(model);
+  std::vector<Vector3d> end = nowhere(model);
+  search.find(end, end, {});
+  for (std::uint32_t v = 4; v < 8; ++v) end[v] = {0, -0.5, 0};
+  search.find(nowhere(model), end, {});
+  search.misses(end);
+  const std::vector<PairRow> rows = search.find_again();
+  REQUIRE_FALSE(rows.empty());
+  for (const PairRow& row : rows) {
+    CAPTURE(row.normal.transpose(), row.bodies[0], row.vertices[0]);
+    CHECK(row.normal.y() * (row.bodies[0] == 1 ? 1 : -1) > 0);
+  }
 }
 
 }  // namespace

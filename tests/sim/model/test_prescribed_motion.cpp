@@ -4,6 +4,7 @@
 
 #include "sim/grab/build_model.h"
 #include "sim/model/model.h"
+#include "sim/model/prescribed_motion.h"
 #include "tests/sim/scene/scene_test.h"
 
 using namespace fascia;
@@ -116,6 +117,15 @@ TEST_CASE("a scene's degrees become radians and its selection vertices") {
     const Vector3d expected(0.4 + 1.5 * (rest.x() - 0.4) + 0.1, -1.5 * rest.z(), 1.5 * rest.y());
     CHECK((motion.position(k, rest, 3) - expected).norm() < kRounding);
   }
+}
+
+TEST_CASE("prescribed vertices are placed in a state, and the others left") {
+  const Model model = model_with(R"({"select": {"vertices": [3, 4]}, "translate": [1, 0, 0], "duration": 2})");
+  std::vector<Vector3d> displacement(model.rest_positions.size(), Vector3d(7, 8, 9));
+  place_prescribed(model, 0.5, displacement);
+  CHECK((displacement[3] - Vector3d(0.25, 0, 0)).norm() < kRounding);
+  CHECK((displacement[4] - Vector3d(0.25, 0, 0)).norm() < kRounding);
+  CHECK(displacement[5] == Vector3d(7, 8, 9));
 }
 
 TEST_CASE("targets move the vertices of their table, or the selected ones of them") {

@@ -1,0 +1,250 @@
+// Guards of a step: pairs that keep apart what went through each other in an earlier solution of the step, whatever
+// their normals say. They stay while they press.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/pair_search.h"
+#include "sim/contact/penetration.h"
+#include "sim/surface/triangle_tree.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+using Vertices = std::array<std::uint32_t, 4>;
+
+// Of the skin: pairs whose gap is less at the end, and that were pressed in by more, press harder in the next solution.
+constexpr double kLeastGap = 0.25;
+constexpr double kPressedIn = 0.2;
+
+Vertices sorted(Vertices vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+bool of_edges(const PairRow& row) {
+  return std::count_if(row.weights.begin(), row.weights.end(), [](double w) { return w < 0; }) == 2;
+}
+
+bool same_features(const PairRow& a, const PairRow& b) {
+  return of_edges(a) == of_edges(b) && sorted(a.vertices) == sorted(b.vertices);
+}
+
+std::array<Vector3d, 4> at(const std::vector<Vector3d>& x, const Vertices& v) {
+  return {x[v[0]], x[v[1]], x[v[2]], x[v[3]]};
+}
+
+AlignedBox3d around(const AlignedBox3d& box, double reach) {
+  return {box.min().array() - reach, box.max().array() + reach};
+}
+
+}  // namespace
+
+// Calls found(triangle) for those of the body that the edge goes through.
+template <class F>
+void PairSearch::for_cuts(std::uint32_t e, std::uint32_t body, const std::vector<Vector3d>& x, F&& found) const {
+  const TissueEdge& edge = edges_[e];
+  trees_[body].tree.for_overlaps(AlignedBox3d(x[edge.from]).extend(x[edge.to]), [&](std::uint32_t k) {
+    const std::uint32_t triangle = trees_[body].triangles[k];
+    const Triangle& t = triangles_[triangle];
+    const auto has = [&](std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (!has(edge.from) && !has(edge.to) && goes_through(x[edge.from], x[edge.to], x[t[0]], x[t[1]], x[t[2]]))
+      found(triangle);
+  });
+}
+
+std::uint32_t PairSearch::guard_of_vertex(std::uint32_t vertex) const {
+  const auto place = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
+  return first_guard_ + static_cast<std::uint32_t>(place - vertices_.begin());
+}
+
+bool PairSearch::all_held(const Vertices& v) const { return held_[v[0]] && held_[v[1]] && held_[v[2]] && held_[v[3]]; }
+
+double PairSearch::depth_of(const PairRow& row) const {
+  double depth = -row.gap;
+  for (std::size_t k = 0; k < 4; ++k)
+    depth -= row.weights[k] * row.normal.dot(end_[row.vertices[k]] - start_[row.vertices[k]]);
+  return depth;
+}
+
+bool PairSearch::press_harder(const PairRow& row) {
+  raised_[row.slot] = 1;
+  normal_[row.slot] += row.stiffness * std::max(depth_of(row), kLeastGap * skin_);
+  return true;
+}
+
+// Whether the next solution differs by it: a new guard, one with another normal, or a pair that presses harder.
+bool PairSearch::add_guard(const Passage& passage, const Vertices& vertices, double area,
+                           std::initializer_list<std::uint32_t> slots) {
+  PairRow row;
+  row.vertices = vertices;
+  row.weights = passage.weights;
+  row.normal = passage.normal;
+  row.bodies = {body_of_[vertices[0]], body_of_[vertices[3]]};
+  double softness = 0;
+  Vector3d at_rest(0, 0, 0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    softness += std::abs(row.weights[k]) * softness_[vertices[k]];
+    at_rest += row.weights[k] * rest_[vertices[k]];
+  }
+  if (row.bodies[0] == row.bodies[1] && at_rest.norm() < 2 * skin_) return false;
+  row.stiffness = penalty_ * area / softness;
+  const auto same = [&](const PairRow& other) { return same_features(other, row); };
+  const auto known = std::find_if(rows_.begin(), rows_.end(), same);
+  if (known != rows_.end()) {
+    if (raised_[known->slot]) return false;
+    if (depth_of(*known) > 0) return press_harder(*known);
+  }
+  if (const auto guard = std::find_if(guards_.begin(), guards_.end(), same); guard != guards_.end()) {
+    if (known == rows_.end() || guard->normal == row.normal) return false;  // of this search
+    row.slot = guard->slot;
+    *guard = row;
+    return true;
+  }
+  auto place = guards_.end();
+  for (const std::uint32_t slot : slots) {
+    row.slot = slot;
+    place = std::find_if(guards_.begin(), guards_.end(), [&](const PairRow& guard) { return guard.slot == slot; });
+    if (place == guards_.end()) break;
+  }
+  if (place == guards_.end())
+    guards_.push_back(row);
+  else
+    *place = row;
+  return true;
+}
+
+// Guards what the edge and the triangle first went through each other by.
+bool PairSearch::guard(std::uint32_t e, std::uint32_t triangle) {
+  const Triangle& t = triangles_[triangle];
+  const TissueEdge& edge = edges_[e];
+  std::optional<Passage> first;
+  Vertices vertices{};
+  std::uint32_t other_edge = kNone;
+  const auto consider = [&](const std::optional<Passage>& passage, const Vertices& of, std::uint32_t other) {
+    if (!passage || (first && first->share <= passage->share) || all_held(of)) return;
+    first = passage;
+    vertices = of;
+    other_edge = other;
+  };
+  for (const std::uint32_t v : {edge.from, edge.to}) {
+    const Vertices of{v, t[0], t[1], t[2]};
+    consider(vertex_through_triangle(at(start_, of), at(end_, of)), of, kNone);
+  }
+  for (const std::uint32_t other : sides_[triangle]) {
+    const Vertices of{edge.from, edge.to, edges_[other].from, edges_[other].to};
+    consider(edge_through_edge(at(start_, of), at(end_, of)), of, other);
+  }
+  if (!first) return false;
+  if (other_edge == kNone) return add_guard(*first, vertices, areas_[vertices[0]], {guard_of_vertex(vertices[0])});
+  return add_guard(*first, vertices, (edge.area + edges_[other_edge].area) / 6,
+                   {guard_of_edge(e), guard_of_edge(other_edge)});
+}
+
+bool PairSearch::misses(const std::vector<Vector3d>& end) {
+  if (empty() || !sees_near()) return false;
+  std::vector<AlignedBox3d> boxes(triangles_.size());
+  for (const std::uint32_t v : vertices_) end_[v] = rest_[v] + end[v];
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (const std::uint32_t v : triangles_[i]) boxes[i].extend(end_[v]);
+  fit_trees(boxes);
+  bool changed = false;
+  raised_.assign(slot_count_, 0);
+  for (const PairRow& row : rows_) {
+    double gap = 0;
+    for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(end_[row.vertices[k]]);
+    if (gap < kLeastGap * skin_ && depth_of(row) > kPressedIn * skin_) changed = press_harder(row);
+  }
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const TissueEdge& edge = edges_[e];
+    if (!near_[edge.from] && !near_[edge.to]) continue;
+    for (std::uint32_t body = 0; body < trees_.size(); ++body)
+      if (may_touch(body_of_[edge.from], body))
+        for_cuts(e, body, end_, [&](std::uint32_t triangle) {
+          const Triangle& t = triangles_[triangle];
+          const bool was = goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]]);
+          if (!was && guard(e, triangle)) changed = true;
+        });
+  }
+  return changed;
+}
+
+// Of a vertex that a guard pressed in the step before: the nearest face, on whichever side the vertex is.
+void PairSearch::keep_guard_of_vertex(std::uint32_t v) {
+  double nearest = skin_ + kMargin * edge_;
+  const AlignedBox3d box = around(AlignedBox3d(start_[v]), nearest);
+  Passage passage;
+  Vertices vertices{};
+  for (std::uint32_t body = 0; body < trees_.size(); ++body)
+    if (may_touch(body_of_[v], body))
+      trees_[body].tree.for_overlaps(box, [&](std::uint32_t k) {
+        const Triangle& t = triangles_[trees_[body].triangles[k]];
+        if (t[0] == v || t[1] == v || t[2] == v || all_held({v, t[0], t[1], t[2]})) return;
+        const Vector3d &a = start_[t[0]], &b = start_[t[1]], &c = start_[t[2]];
+        const Vector3d w = nearest_weights(start_[v], a, b, c), between = start_[v] - w[0] * a - w[1] * b - w[2] * c;
+        if (w.minCoeff() <= 0 || between.norm() >= nearest) return;
+        nearest = between.norm();
+        const Vector3d normal = (b - a).cross(c - a).stableNormalized();
+        passage = {0, {1, -w[0], -w[1], -w[2]}, normal.dot(between) < 0 ? Vector3d(-normal) : normal};
+        vertices = {v, t[0], t[1], t[2]};
+      });
+  if (vertices[0] != vertices[1]) add_guard(passage, vertices, areas_[v], {guard_of_vertex(v)});
+}
+
+// The same of an edge, unless it cuts a face: its side is then not known.
+void PairSearch::keep_guard_of_edge(std::uint32_t e) {
+  const TissueEdge& edge = edges_[e];
+  double nearest = skin_ + kMargin * edge_;
+  const AlignedBox3d box = around(AlignedBox3d(start_[edge.from]).extend(start_[edge.to]), nearest);
+  Passage passage;
+  Vertices vertices{};
+  double area = 0;
+  bool cuts = false;
+  const auto look_at = [&](const TissueEdge& other) {
+    const Vertices of{edge.from, edge.to, other.from, other.to};
+    if (of[0] == of[2] || of[0] == of[3] || of[1] == of[2] || of[1] == of[3] || all_held(of)) return;
+    const Vector3d a = start_[of[1]] - start_[of[0]], b = start_[of[3]] - start_[of[2]];
+    const std::optional<Crossing> crossing = crossing_of(start_[of[0]], a, start_[of[2]], b);
+    if (!crossing || std::min({crossing->s, 1 - crossing->s, crossing->t, 1 - crossing->t}) < 0) return;
+    const Vector3d between = start_[of[0]] + crossing->s * a - start_[of[2]] - crossing->t * b;
+    if (between.norm() >= nearest) return;
+    nearest = between.norm();
+    const Vector3d normal = a.cross(b).normalized();
+    passage = {0,
+               {1 - crossing->s, crossing->s, crossing->t - 1, -crossing->t},
+               normal.dot(between) < 0 ? Vector3d(-normal) : normal};
+    vertices = of;
+    area = (edge.area + other.area) / 6;
+  };
+  for (std::uint32_t body = 0; body < trees_.size(); ++body) {
+    if (!may_touch(body_of_[edge.from], body)) continue;
+    for_cuts(e, body, start_, [&](std::uint32_t) { cuts = true; });
+    trees_[body].tree.for_overlaps(box, [&](std::uint32_t k) {
+      const std::uint32_t triangle = trees_[body].triangles[k];
+      for (const std::uint32_t other : sides_[triangle])
+        if (edges_[other].sides[0] == triangle) look_at(edges_[other]);
+    });
+  }
+  if (vertices[0] != vertices[1] && !cuts) add_guard(passage, vertices, area, {guard_of_edge(e)});
+}
+
+void PairSearch::keep_guards() {
+  guards_.clear();
+  rows_.clear();
+  for (const std::uint32_t v : vertices_)
+    if (pressed_[guard_of_vertex(v)]) keep_guard_of_vertex(v);
+  for (std::uint32_t e = 0; e < edges_.size(); ++e)
+    if (pressed_[guard_of_edge(e)]) keep_guard_of_edge(e);
+}
+
+// In place of the pairs of the same features.
+void PairSearch::add_guards() {
+  if (guards_.empty()) return;
+  std::erase_if(rows_, [&](const PairRow& row) {
+    return std::any_of(guards_.begin(), guards_.end(), [&](const PairRow& g) { return same_features(row, g); });
+  });
+  rows_.insert(rows_.end(), guards_.begin(), guards_.end());
+}
+
+}  // namespace fascia
