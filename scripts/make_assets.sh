@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp "$meshes"/src/* "$work"
 cd "$work"
-for name in ${*:-beam ligament liver inclusion cube kidney retractor}; do
+for name in ${*:-beam ligament liver inclusion cube kidney retractor knot}; do
   if [ ! -f "$name.geo" ]; then  # a surface, filled with tets by fascia
     python3 "$name.py" "$meshes/$name.obj"
     continue
