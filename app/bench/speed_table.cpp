@@ -4,7 +4,7 @@
 #include <charconv>
 #include <sstream>
 
-#include "base/csv_line.h"
+#include "base/csv/csv_line.h"
 #include "base/error.h"
 #include "base/file.h"
 

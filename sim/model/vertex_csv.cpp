@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/csv_line.h"
+#include "base/csv/csv_line.h"
 #include "base/error.h"
 #include "base/file.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/csv_line.h"
+#include "base/csv/csv_line.h"
 #include "base/error.h"
 
 namespace fascia {

@@ -1,5 +1,5 @@
 // Lines of CSV files.
-#include "base/csv_line.h"
+#include "base/csv/csv_line.h"
 
 #include <catch2/catch.hpp>
 
