@@ -58,11 +58,11 @@ TEST_CASE("fit finds the values that made a history", "[fit]") {
 TEST_CASE("a fit that is killed goes on with the same command, and another one is refused", "[fit]") {
   const TemporaryFolder folder;
   const std::string history = (folder / "history.csv").string(), out = (folder / "out").string();
-  REQUIRE(run_fascia({"run", kCube, "--reference", "--steps", "100", "--set", kYoung + "=9000", "--history", history,
-                      "--quiet"})
+  REQUIRE(run_fascia({"run", cube_path(), "--reference", "--steps", "100", "--set", kYoung + "=9000", "--history",
+                      history, "--quiet"})
               .exit_code == 0);
-  const std::vector<std::string> same = {"fit",    kCube,  "--measured", history, "--columns", "probe",
-                                         "--free", kYoung, "--profile",  "0",     "--out",     out};
+  const std::vector<std::string> same = {"fit",    cube_path(), "--measured", history, "--columns", "probe",
+                                         "--free", kYoung,      "--profile",  "0",     "--out",     out};
   const std::filesystem::path record = folder / "out/progress.json";
   {
     std::vector<std::string> command = same;
