@@ -144,10 +144,10 @@ TEST_CASE("a tool that is far away changes no bit", "[gpu][contact]") {
     with.step();
   }
   const State a = without.download(), b = with.download();
-  if (gl::device().software) {
+  if (gl::device().software && loads == gl::LoadPath::texel) {
     CHECK(a.displacement == b.displacement);
     CHECK(a.velocity == b.velocity);
-  } else {  // whose compilers contract other kernels in other ways
+  } else {  // one kernel does the work of two others: the compiler contracts it in other ways
     CHECK(test::relative_rms(a.displacement, b.displacement) < 1e-5);
     CHECK(test::relative_rms(a.velocity, b.velocity) < 1e-4);
   }
