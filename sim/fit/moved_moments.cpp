@@ -49,7 +49,7 @@ class Mover {
     constexpr std::size_t kMost = 4;  // factors in memory
     const std::size_t stages = response_.stages.size();
     std::vector<std::unique_ptr<reference::StepTangent>> tangents(
-        std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, std::min(kMost, stages)));
+        std::clamp<std::size_t>(std::min<std::size_t>(std::thread::hardware_concurrency(), stages), 1, kMost));
     in_parallel(tangents.size(), [&](std::size_t k) { tangents[k] = std::make_unique<reference::StepTangent>(here_); });
     std::vector<reference::StateRate> rates(pairs_.size(), tangents[0]->at_rest());
     move_moments_after(0, rates);
