@@ -10,13 +10,17 @@
 #include "app/fit/fit_progress.h"
 #include "app/fit/fit_report.h"
 #include "app/fit/fit_text.h"
+#include "app/session/graphics.h"
 #include "app/session/open_input.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/suggest.h"
 #include "base/text.h"
 #include "sim/fit/fit.h"
+#include "sim/fit/gpu/gpu_simulator.h"
+#include "sim/fit/simulated/reference_simulator.h"
 #include "sim/output/sample.h"
+#include "sim/reference/newton.h"
 #include "sim/scene/scene_carry.h"
 
 namespace fascia {
@@ -27,6 +31,7 @@ struct FitCommandOptions : CommonOptions {
   std::optional<std::uint32_t> probe;
   std::string out;
   int sweep = 0, profile = 3;
+  bool gpu = false;
 };
 
 std::optional<double> positive(std::string_view text) {
@@ -74,14 +79,29 @@ std::vector<Measurement> measurements_of(const FitCommandOptions& options, const
 
 // What leads a fit beside its scene and measurements, as text.
 std::string path_options(const FitCommandOptions& options, double end) {
-  std::vector<std::string> all{options.static_equilibrium ? "static" : "motion", number(end),
-                               std::to_string(options.sweep), options.probe ? std::to_string(*options.probe) : "tip"};
+  std::vector<std::string> all{options.static_equilibrium ? "static" : "motion", options.gpu ? "gpu" : "reference",
+                               number(end), std::to_string(options.sweep),
+                               options.probe ? std::to_string(*options.probe) : "tip"};
   for (const auto* list :
        {&options.measured, &options.free, &options.bounds, &options.priors, &options.noise, &options.columns}) {
     all.emplace_back("");
     all.insert(all.end(), list->begin(), list->end());
   }
   return join(all);
+}
+
+// `graphics`: opened where the GPU simulates.
+std::unique_ptr<Simulator> simulator_of(const FitCommandOptions& options, const Opened& opened, Graphics& graphics) {
+  if (!options.gpu) {
+    if (opened.model.tets.size() > reference::NewtonSolver::kMostTets && !options.quiet)
+      std::cerr << "fascia: " << opened.scene.file.string() << ": " << opened.model.tets.size()
+                << " tets take the reference solver long; --gpu simulates on the GPU\n";
+    return std::make_unique<ReferenceSimulator>(interrupt_token());
+  }
+  graphics =
+      open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, options.static_equilibrium, false));
+  announce(options, graphics, {});
+  return std::make_unique<GpuSimulator>(*graphics.programs, interrupt_token());
 }
 
 int run_fit(const FitCommandOptions& options) {
@@ -97,6 +117,8 @@ int run_fit(const FitCommandOptions& options) {
                                      : opened.scene.duration;
   const FitIdentity identity =
       identity_of(with_known_files(opened.scene, opened.model.files), measurements, path_options(options, end));
+  Graphics graphics;
+  const std::unique_ptr<Simulator> simulator = simulator_of(options, opened, graphics);
   const TunedScene tuned = blaming_options([&] {
     std::vector<Parameter> parameters = parameters_of(opened.scene, options.free);
     for (const std::string& text : options.bounds) set_bounds(parameters, text);
@@ -108,7 +130,7 @@ int run_fit(const FitCommandOptions& options) {
     make_fit_folder(options.out);
     record.emplace(options.out, identity);
   }
-  const Experiment experiment(std::move(measurements), options.static_equilibrium, end, interrupt_token());
+  const Experiment experiment(std::move(measurements), options.static_equilibrium, end, *simulator);
   FitOptions how;
   how.sweep = options.sweep;
   how.profile = options.profile;
@@ -189,6 +211,8 @@ void add_fit(CLI::App& program, Invocation& invocation) {
       ->type_name("N")
       ->check(at_least(0))
       ->capture_default_str();
+  command.add_flag("--gpu", options->gpu,
+                   "simulate on the GPU, by the scene's method: for meshes too large for the reference solver");
   command
       .add_option("--out", options->out, "folder for report.html, scene.json, fit.json and values.csv, made if missing")
       ->type_name("DIR");

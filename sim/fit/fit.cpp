@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/suggest.h"
 #include "base/text.h"
-#include "sim/fit/in_parallel.h"
+#include "sim/fit/simulated/in_parallel.h"
 
 namespace fascia {
 namespace {
@@ -152,10 +152,13 @@ VectorXd swept(const std::vector<Parameter>& parameters, int index) {
 
 Misfit::Point best_of_sweep(const Misfit& misfit, Misfit::Point start, const FitOptions& options) {
   std::vector<std::optional<Misfit::Point>> points(static_cast<std::size_t>(options.sweep));
-  in_parallel(points.size(), [&](std::size_t i) {
-    if (!options.stop.stop_requested())
-      points[i] = misfit.at(swept(misfit.tuned().parameters(), static_cast<int>(i) + 1));
-  });
+  in_parallel(
+      points.size(),
+      [&](std::size_t i) {
+        if (!options.stop.stop_requested())
+          points[i] = misfit.at(swept(misfit.tuned().parameters(), static_cast<int>(i) + 1));
+      },
+      misfit.experiment().simulator().most_threads());
   for (std::optional<Misfit::Point>& point : points)
     if (point && point->residuals.squaredNorm() < start.residuals.squaredNorm()) start = std::move(*point);
   if (options.say && options.sweep > 0)
@@ -182,6 +185,26 @@ std::string subject_of(const Experiment& experiment) {
     if (!measurement.shapes.empty()) names.push_back("shape");
   }
   return "the measurement (" + join(names) + ")";
+}
+
+// Curves that the scene's own values miss by orders of magnitude, as wrong units do.
+std::vector<std::string> doubtful_units(const Experiment& experiment, const VectorXd& simulated) {
+  constexpr double kDoubtful = 100;
+  std::vector<std::string> doubts;
+  Index row = 0;
+  for (const Measurement& measurement : experiment.measurements()) {
+    for (const MeasuredCurve& curve : measurement.curves) {
+      const auto count = static_cast<Index>(curve.values.size());
+      const double measured = Eigen::Map<const VectorXd>(curve.values.data(), count).cwiseAbs().maxCoeff();
+      const double ratio = measured / simulated.segment(row, count).cwiseAbs().maxCoeff();
+      if (std::isfinite(ratio) && (ratio > kDoubtful || (ratio > 0 && ratio < 1 / kDoubtful)))
+        doubts.push_back(curve.name + " of " + measurement.file.filename().string() + " is " + number(ratio) +
+                         " times as large as with the scene's own values: is its unit right?");
+      row += count;
+    }
+    for (const MeasuredShape& shape : measurement.shapes) row += static_cast<Index>(shape.value_count());
+  }
+  return doubts;
 }
 
 // How far a profile goes at either side where no standard error says it [natural coordinate].
@@ -216,10 +239,13 @@ std::vector<MisfitProfile> profiles_of(const Misfit& misfit, const Misfit::Point
       if (k == 0) jobs.back().misfit = rms(minimum.residuals);
     }
   }
-  in_parallel(jobs.size(), [&](std::size_t i) {
-    if (!std::isnan(jobs[i].misfit) || options.stop.stop_requested()) return;
-    if (const auto point = misfit.at(jobs[i].inner)) jobs[i].misfit = rms(point->residuals);
-  });
+  in_parallel(
+      jobs.size(),
+      [&](std::size_t i) {
+        if (!std::isnan(jobs[i].misfit) || options.stop.stop_requested()) return;
+        if (const auto point = misfit.at(jobs[i].inner)) jobs[i].misfit = rms(point->residuals);
+      },
+      misfit.experiment().simulator().most_threads());
   std::vector<MisfitProfile> profiles;
   for (const Job& job : jobs) {
     if (profiles.empty() || profiles.back().parameter != job.profile)
@@ -258,6 +284,9 @@ FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOp
   result.start_misfit = options.earlier ? options.earlier->start_misfit : rms(first->residuals);
   if (options.say)
     options.say("simulation 1: misfit " + number(rms(first->residuals)) + ", " + described(parameters, first->inner));
+  const std::vector<std::string> doubts = doubtful_units(experiment, first->response.values);
+  for (const std::string& doubt : doubts)
+    if (options.say) options.say(doubt);
   const auto keep = [&](const Misfit::Point& point) {
     if (options.keep)
       options.keep(
@@ -301,6 +330,7 @@ FitResult fit(const TunedScene& tuned, const Experiment& experiment, const FitOp
     result.converged = false;
     result.reason = result.estimates.warnings.front();
   }
+  result.estimates.warnings.insert(result.estimates.warnings.begin(), doubts.begin(), doubts.end());
   return result;
 }
 

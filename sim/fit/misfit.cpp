@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "sim/fit/in_parallel.h"
-#include "sim/fit/moved_moments.h"
+#include "sim/fit/simulated/in_parallel.h"
+#include "sim/fit/simulated/moved_moments.h"
 
 namespace fascia {
 
@@ -14,9 +14,8 @@ using Eigen::VectorXd;
 namespace {
 
 // Of inner coordinates, which are logarithms or logits. A central difference of closed forms then has an error of some
-// 1e-8; that of two simulations is one-sided and larger than what their tolerances leave.
+// 1e-8.
 constexpr double kTangentStep = 2e-5;
-constexpr double kSimulatedStep = 1e-3;
 
 }  // namespace
 
@@ -54,8 +53,7 @@ std::optional<Misfit::Point> Misfit::at(const VectorXd& inner) const {
 }
 
 bool Misfit::has_tangent(const Point& point, std::size_t parameter) const {
-  const bool kept = experiment_.is_static() || !point.response.stages.empty();
-  return kept && !tuned_.model().has_contact() && tuned_.is_smooth(parameter);
+  return point.response.differentiable && tuned_.is_smooth(parameter);
 }
 
 bool Misfit::exact(const Point& point) const {
@@ -107,14 +105,18 @@ void Misfit::add_differences(const Point& point, MatrixXd& rates) const {
     if (own > 0 && std::isnan(rates(0, p))) missing.push_back(p);
   std::vector<std::optional<Point>> beside(missing.size());
   std::vector<double> steps(missing.size());
-  in_parallel(missing.size(), [&](std::size_t i) {
-    for (const double step : {kSimulatedStep, -kSimulatedStep}) {
-      VectorXd inner = point.inner;
-      inner[missing[i]] += step;
-      steps[i] = step;
-      if ((beside[i] = at(inner))) return;
-    }
-  });
+  const double distance = experiment_.simulator().difference_step();
+  in_parallel(
+      missing.size(),
+      [&](std::size_t i) {
+        for (const double step : {distance, -distance}) {
+          VectorXd inner = point.inner;
+          inner[missing[i]] += step;
+          steps[i] = step;
+          if ((beside[i] = at(inner))) return;
+        }
+      },
+      experiment_.simulator().most_threads());
   for (std::size_t i = 0; i < missing.size(); ++i) {
     if (beside[i])
       rates.col(missing[i]).head(own) = (beside[i]->residuals - point.residuals).head(own) / steps[i];

@@ -17,22 +17,38 @@ constexpr int kMostSteps = 400;
 constexpr double kFirstStep = 1.0 / 30;  // [s]
 constexpr double kLongestStep = 300;     // [s] inertia vanishes for objects of tabletop size
 
+// What remains of a path to equilibrium: motions between two times, and springs that pull tissue from where it is.
+struct Path {
+  double begin, end;  // [s]
+  std::vector<GrabSpring> springs;
+  std::vector<Eigen::Vector3d> from;  // [spring] displacement [m]
+
+  std::vector<GrabSpring> springs_at(double share) const {
+    std::vector<GrabSpring> part = springs;
+    for (std::size_t s = 0; s < part.size(); ++s) part[s].target = from[s] + share * (springs[s].target - from[s]);
+    return part;
+  }
+};
+
 /// Enough increments that no prescribed vertex and no spring moves by more than a third of a tet's width at once.
-int increments(const Model& model, const std::vector<GrabSpring>& springs, double volume) {
+int increments(const Model& model, const Path& way, double volume) {
   double farthest = 0;
-  for (const Motion& motion : model.motions)
-    for (std::size_t k = 0; k < motion.vertices.size(); ++k) {
+  for (const Motion& motion : model.motions) {
+    const double begin = std::max(motion.start, way.begin), end = std::min(motion.start + motion.duration, way.end);
+    for (std::size_t k = 0; k < motion.vertices.size() && end > begin; ++k) {
       const Eigen::Vector3d& rest = model.rest_positions[motion.vertices[k]];
       double path = 0;
-      Eigen::Vector3d last = rest;
+      Eigen::Vector3d last = motion.position(k, rest, begin);
       for (int part = 1; part <= 8; ++part) {
-        const Eigen::Vector3d next = motion.position(k, rest, motion.start + motion.duration * part / 8);
+        const Eigen::Vector3d next = motion.position(k, rest, begin + (end - begin) * part / 8);
         path += (next - last).norm();
         last = next;
       }
       farthest = std::max(farthest, path);
     }
-  for (const GrabSpring& spring : springs) farthest = std::max(farthest, spring.target.norm());
+  }
+  for (std::size_t s = 0; s < way.springs.size(); ++s)
+    farthest = std::max(farthest, (way.springs[s].target - way.from[s]).norm());
   const double width = std::cbrt(6 * volume / static_cast<double>(model.tets.size()));
   return std::clamp(static_cast<int>(std::ceil(3 * farthest / width)), 1, 300);
 }
@@ -73,7 +89,7 @@ class AsBefore {
 
 }  // namespace
 
-reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, double tolerance,
+reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& model, const MarchGoal& goal,
                                              State& equilibrium, const std::stop_token& stop,
                                              const std::function<void(const reference::NewtonReport&)>& news) {
   reference::require_supports(model);
@@ -101,27 +117,25 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
     if (news) news(report);
   };
 
-  const std::vector<GrabSpring> springs = solver.springs();
-  const double begin = state.time, end = std::max(begin, model.end_of_motions());
-  if (end > begin || !springs.empty()) {
-    const int count = increments(model, springs, solver.buffers().volume);
+  Path path{state.time, std::max(state.time, goal.until.value_or(model.end_of_motions())), solver.springs(), {}};
+  for (const GrabSpring& spring : path.springs) path.from.push_back(state.displacement[spring.vertex]);
+  if (path.end > path.begin || !path.springs.empty()) {
+    const int count = increments(model, path, solver.buffers().volume);
     for (int k = 1; k <= count && !stop.stop_requested(); ++k) {
-      std::vector<GrabSpring> part = springs;
-      for (GrabSpring& spring : part) spring.target *= static_cast<double>(k) / count;
-      solver.set_grab(part);
-      step_to(begin + (end - begin) * k / count);
+      solver.set_grab(path.springs_at(static_cast<double>(k) / count));
+      step_to(path.begin + (path.end - path.begin) * k / count);
     }
   }
   State best = state;
   const reference::StaticResidual residual_of(model);
-  report.relative_residual = residual_of(state, springs);
+  report.relative_residual = residual_of(state, path.springs);
   double last = report.relative_residual;
-  for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > tolerance;
+  for (int steps = 0, idle = 0; steps < kMostSteps && idle < kPatience && report.relative_residual > goal.tolerance;
        ++steps) {
     if (stop.stop_requested()) break;
     const State before = state;
-    step_to(end);
-    const double residual = residual_of(state, springs);
+    step_to(path.end);
+    const double residual = residual_of(state, path.springs);
     idle = farthest_way(before, state) > kStill * solver.buffers().size ? 0 : idle + 1;
     if (residual < report.relative_residual) {
       if (residual < 0.9 * report.relative_residual) idle = 0;
@@ -136,9 +150,9 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
     }
     last = residual;
   }
-  report.converged = report.relative_residual <= tolerance;
+  report.converged = report.relative_residual <= goal.tolerance;
   for (Eigen::Vector3d& v : best.velocity) v.setZero();
-  best.time = end;
+  best.time = path.end;
   as_before.restore();
   solver.upload(best);
   equilibrium = std::move(best);

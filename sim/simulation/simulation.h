@@ -59,9 +59,10 @@ class Simulation {
   /// computed, and also, unless the mesh is too large, if float32 cannot reach the requested tolerance. The report
   /// contains the residual reached. `news` is called after every step with the progress, and finally, with a Newton
   /// iteration, when Newton's method begins. `stop` ends the search unconverged; by default Ctrl-C does
-  /// (base/interrupt.h).
+  /// (base/interrupt.h). With motions, grabs and tools as they are at `until` [s], by default at their ends; a later
+  /// search goes on from there.
   StaticReport solve_static(const std::function<void(const StaticReport&)>& news = {},
-                            std::stop_token stop = interrupt_token());
+                            std::stop_token stop = interrupt_token(), std::optional<double> until = std::nullopt);
 
   void set_settings(const SolverSettings& settings);
   void set_material(std::size_t index, const Material& material);  // of model.materials

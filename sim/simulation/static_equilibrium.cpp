@@ -12,13 +12,14 @@
 
 namespace fascia {
 
-StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop) {
-  pull(with_grabs_at_last(other_springs_, model.grabs));
+StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop,
+                                      std::optional<double> until) {
+  pull(until ? with_grabs(other_springs_, model.grabs, *until) : with_grabs_at_last(other_springs_, model.grabs));
   const auto by_newton = [&](State& state, double tolerance) {
     reference::NewtonSolver solver(model, scene.solver, stop);
     solver.set_springs(springs_);
     if (!led_.empty()) solver.set_tools(led_.motion(model.tools, time(), std::max(time(), model.end_of_tools())));
-    return solver.solve_static(state, tolerance);
+    return solver.solve_static(state, tolerance, until);
   };
   if (reference_) {
     newton_report_ = by_newton(reference_state_, scene.solver.tolerance);
@@ -40,7 +41,8 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   const auto tell_news = [&](const reference::NewtonReport& report) {
     if (news) news({report.iterations, 0, report.relative_residual, false, tolerance});
   };
-  const reference::NewtonReport march = march_to_equilibrium(*gpu_, model, tolerance, *equilibrium_, stop, tell_news);
+  const reference::NewtonReport march =
+      march_to_equilibrium(*gpu_, model, {tolerance, until}, *equilibrium_, stop, tell_news);
   StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
   constexpr double kNear = 1e-2;                 // from farther away Newton's method also fails, after a long time
   constexpr std::size_t kSoonFactored = 20'000;  // tets: factorized in about a second

@@ -55,6 +55,41 @@ TEST_CASE("fit finds the values that made a history", "[fit]") {
   CHECK(result.out.find("rates by implicit differentiation") != std::string::npos);
 }
 
+// Incompressible uniaxial tension has the nominal stress 2 (l - 1/l^2) (c10 + c01/l) (Mooney 1940, Rivlin 1948). Its
+// least squares to the same forces are c10 = 0.11999 and c01 = 0.07604 MPa: 1.176 MPa and a ratio of 0.388.
+TEST_CASE("fit finds the constants of rubber from a published measurement", "[fit]") {
+  const std::filesystem::path assets = source_dir() / "assets/fit";
+  const TemporaryFolder folder;
+  const CommandResult result =
+      run_fascia({"fit", (assets / "rubber.json").string(), "--static", "--measured",
+                  (assets / "treloar_1944.csv").string(), "--free", kYoung + ",materials.default.mooney_ratio",
+                  "--profile", "0", "--out", (folder / "out").string(), "--quiet"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const auto json = nlohmann::json::parse(read_file(folder / "out/fit.json"));
+  const double young = json["parameters"][0]["value"], ratio = json["parameters"][1]["value"];
+  CHECK(young < 1.176e6);  // clamped ends stiffen the specimen
+  CHECK(young > 0.93 * 1.176e6);
+  CHECK(ratio == Approx(0.388).margin(0.01));
+  CHECK(json["simulations"].get<int>() <= 12);
+}
+
+TEST_CASE("fit simulates on the GPU where it is told to", "[fit]") {
+  const TemporaryFolder folder;
+  const std::string history = (folder / "history.csv").string();
+  REQUIRE(run_fascia({"run", cube_path(), "--reference", "--steps", "10", "--set", kYoung + "=30000", "--history",
+                      history, "--quiet"})
+              .exit_code == 0);
+  const CommandResult result =
+      run_fascia({"fit", cube_path(), "--gpu", "--context", "osmesa", "--measured", history, "--free", kYoung,
+                  "--columns", "probe", "--profile", "0", "--out", (folder / "out").string()});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.out.find("rates by differences") != std::string::npos);
+  const auto json = nlohmann::json::parse(read_file(folder / "out/fit.json"));
+  CHECK(json["parameters"][0]["value"].get<double>() == Approx(30000).epsilon(1e-3));
+}
+
 TEST_CASE("a fit that is killed goes on with the same command, and another one is refused", "[fit]") {
   const TemporaryFolder folder;
   const std::string history = (folder / "history.csv").string(), out = (folder / "out").string();

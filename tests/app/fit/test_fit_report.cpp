@@ -9,6 +9,7 @@
 #include "app/fit/fit_text.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/fit/simulated/reference_simulator.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -64,7 +65,8 @@ TEST_CASE("the text of a fit has values, intervals, correlations, effort and war
 }
 
 TEST_CASE("a chart shows measured marks and the simulated curve of each component", "[fit]") {
-  const Experiment experiment(measured(), true, 0, {});
+  const ReferenceSimulator reference;
+  const Experiment experiment(measured(), true, 0, reference);
   const std::vector<NamedChart> charts = curve_charts(experiment, result().simulated);
   REQUIRE(charts.size() == 1);  // a single value is no curve
   CHECK(charts[0].name == "1_support_1");
@@ -90,7 +92,8 @@ TEST_CASE("a chart shows measured marks and the simulated curve of each componen
 
 TEST_CASE("the files of a fit", "[fit]") {
   const fascia::test::TemporaryFolder folder;
-  const Experiment experiment(measured(), true, 0, {});
+  const ReferenceSimulator reference;
+  const Experiment experiment(measured(), true, 0, reference);
   make_fit_folder(folder / "fit");
   write_fit(folder / "fit", result(), {experiment, false, "fascia fit a.json"});
   const std::string report = read_file(folder / "fit/report.html");

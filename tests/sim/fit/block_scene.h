@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/fit/fit.h"
+#include "sim/fit/simulated/reference_simulator.h"
 #include "sim/grab/build_model.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
@@ -12,6 +13,7 @@
 
 namespace fascia::test {
 
+inline const ReferenceSimulator kReference;
 inline constexpr double kBlockLength = 0.12;  // [m] along x; 0.04 across
 
 /// `extra`: keys of the scene, each with a comma at its end.
@@ -67,7 +69,7 @@ inline void add_noise(std::vector<Measurement>& measurements, double share, unsi
 /// Sets the values of the curves to those that the scene simulates, and adds noise.
 inline void measure(std::vector<Measurement>& measurements, const Scene& scene, bool is_static, double share,
                     unsigned seed) {
-  const Experiment experiment(measurements, is_static, scene.duration, {});
+  const Experiment experiment(measurements, is_static, scene.duration, kReference);
   const auto response = experiment.run(scene, build_model(scene));
   if (!response) throw std::runtime_error("the scene to be measured does not converge");
   Eigen::Index row = 0;

@@ -16,7 +16,7 @@ TEST_CASE("equilibria are those at the times of the measurement, and at the end"
   const std::vector<Measurement> measured{
       {"a.csv", 1, {test::curve_of("support_1_x", {Kind::support, 1, 0}, {0.5, 0.25})}, {}, {}},
       {"b.csv", 4, {test::curve_of("reaction_y", {Kind::reaction, 0, 1}, {})}, {}, {}}};
-  const Experiment experiment(measured, true, 0, {});
+  const Experiment experiment(measured, true, 0, test::kReference);
   const auto response = experiment.run(scene, model);
   REQUIRE(response);
   REQUIRE(response->values.size() == 3);
@@ -49,7 +49,7 @@ TEST_CASE("in motion, values between two steps are interpolated", "[fit]") {
                                             test::curve_of("grab_y", {Kind::grab, 0, 1}, {0.1})},
                                            {},
                                            {}}};
-  const auto response = Experiment(measured, false, 0, {}).run(scene, model);
+  const auto response = Experiment(measured, false, 0, test::kReference).run(scene, model);
   REQUIRE(response);
   State state = initial_state(model);
   reference::NewtonSolver solver(model, scene.solver);

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/suggest.h"
-#include "sim/fit/in_parallel.h"
+#include "sim/fit/simulated/in_parallel.h"
 #include "tests/sim/fit/block_scene.h"
 
 namespace fascia {
@@ -37,7 +37,7 @@ FitResult fitted(const Scene& start, std::vector<Measurement> measurements, cons
   options.noise_known = !noise.empty();
   assign_noise(measurements, noise, model);
   const TunedScene tuned(start, model, parameters_of(start, keys));
-  const Experiment experiment(measurements, is_static, start.duration, {});
+  const Experiment experiment(measurements, is_static, start.duration, test::kReference);
   return fit(tuned, experiment, options);
 }
 
@@ -69,6 +69,22 @@ TEST_CASE("a force curve gives Young's modulus back", "[fit]") {
   CHECK(result.profiles[0].values.front() == Approx(5000 * std::exp(-0.1)).epsilon(1e-6));
   CHECK(result.profiles[0].values.back() == Approx(5000 * std::exp(0.1)).epsilon(1e-6));
   CHECK(misfits.front() > 1);
+}
+
+TEST_CASE("a curve in a wrong unit is told", "[fit]") {
+  const BlockScene block;
+  std::vector<Measurement> measured{{"folder/pull.csv", 1, {force(2)}, {}, {}}};
+  test::measure(measured, block.scene(), true, 0, 0);
+  for (double& value : measured[0].curves[0].values) value *= 1000;  // mN as N
+  FitOptions options = without_profile();
+  std::vector<std::string> said;
+  options.say = [&](const std::string& line) { said.push_back(line); };
+  const FitResult result = fitted(block.scene(), measured, {kYoung}, true, options);
+  const std::string doubt =
+      "support_1_x of pull.csv is 1000 times as large as with the scene's own values: is its unit right?";
+  REQUIRE(!result.estimates.warnings.empty());
+  CHECK(result.estimates.warnings.front() == doubt);
+  CHECK(std::find(said.begin(), said.end(), doubt) != said.end());
 }
 
 // Known values, and how many of the intervals of `seeds` fits hold them.

@@ -59,7 +59,7 @@ TEST_CASE("static equilibria of beams of 5,184 to 1,029,000 tets", "[gpu][slow]"
   Gpu gpu;
   GpuSolver solver(gpu.programs, model, {});
   State equilibrium;
-  const reference::NewtonReport report = march_to_equilibrium(solver, model, 1e-5, equilibrium);
+  const reference::NewtonReport report = march_to_equilibrium(solver, model, {1e-5}, equilibrium);
   CAPTURE(model.tets.size(), report.iterations, report.relative_residual, lowest(equilibrium));
   CHECK(report.converged);
   CHECK(report.relative_residual <= 1e-5);

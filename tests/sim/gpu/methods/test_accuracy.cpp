@@ -257,7 +257,7 @@ TEST_CASE("static equilibria of the reference cases on the GPU with the default 
   const Model model = build_model(scene);
   GpuSolver solver(gpu.programs, model, SolverSettings{});
   State state;
-  const reference::NewtonReport report = march_to_equilibrium(solver, model, 1e-5, state);
+  const reference::NewtonReport report = march_to_equilibrium(solver, model, {1e-5}, state);
   CHECK(!solver.buffers().displacement_low);
   std::vector<Vector3d> exact = read_complete_vertex_csv(folder / "reference.csv", model.rest_positions.size());
   double error = 0, size = 0;  // over the vertices whose motion the scene does not prescribe
@@ -287,7 +287,7 @@ TEST_CASE("a march to equilibrium that is stopped early restores settings and gr
   std::stop_source stop;
   State state;
   const auto march = [&] {
-    march_to_equilibrium(solver, model, 1e-5, state, stop.get_token(), [&](const reference::NewtonReport&) {
+    march_to_equilibrium(solver, model, {1e-5}, state, stop.get_token(), [&](const reference::NewtonReport&) {
       if (throws) throw std::runtime_error("enough");
       stop.request_stop();
     });
