@@ -59,6 +59,7 @@ struct ViewOptions : CommonOptions {
   int samples = 0;          // 0: 4 on a GPU, 1 on software renderers
   std::string export_path;  // state at the closing of the window: .vtu, .csv, .msh, .obj, .inp
   std::string stats;        // stats.json
+  std::string measured;     // curves to draw in the plots, CSV
   std::string frame_log;    // times of the frames, CSV
 };
 

@@ -65,6 +65,8 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--stats", options.stats, "numbers about the run, when the window closes")
       ->type_name(std::string("FILE.json") + kOrDash);
+  command.add_option("--measured", options.measured, "measured curves, which the plots draw dashed and a fit can meet")
+      ->type_name("FILE.csv");
   command
       .add_option("--frame-log", options.frame_log,
                   "the time of every frame and of its parts, when the window closes; fascia bench window reads it")

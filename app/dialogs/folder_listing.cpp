@@ -20,11 +20,11 @@ std::string lower(std::string text) {
 const std::vector<FileKind>& openable_kinds() {
   static const std::vector<FileKind> kinds = [] {
     FileKind all{"All that fascia opens", {}}, scenes{"Scenes", {".json"}}, meshes{"Meshes", tet_endings()},
-        surfaces{"Surfaces", surface_endings()}, replays{"Replays", {".fascia"}};
+        surfaces{"Surfaces", surface_endings()}, replays{"Replays", {".fascia"}}, curves{"Measured curves", {".csv"}};
     std::erase(meshes.endings, ".ele");  // of TetGen's pairs the .node file is listed
-    for (const FileKind* kind : {&scenes, &replays, &meshes, &surfaces})
+    for (const FileKind* kind : {&scenes, &replays, &meshes, &surfaces, &curves})
       all.endings.insert(all.endings.end(), kind->endings.begin(), kind->endings.end());
-    return std::vector<FileKind>{all, scenes, meshes, surfaces, replays};
+    return std::vector<FileKind>{all, scenes, meshes, surfaces, replays, curves};
   }();
   return kinds;
 }

@@ -109,7 +109,7 @@ struct Requests {
        export_dialog = false, copy_command = false, resume_recovered = false, forget_recovered = false, let_go = false,
        save_replay_dialog = false, end_replay = false, save_with_mesh = false, let_go_instrument = false,
        toggle_jaws = false, fit = false, end_fit = false, apply_fit = false;
-  std::optional<std::filesystem::path> open, save, export_state, save_replay, measured,
+  std::optional<std::filesystem::path> open, save, export_state, save_replay,
       resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;
   std::optional<std::size_t> history;                     // number of entries that shall be in effect

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/file.h"
 
 namespace fascia {
 namespace {
@@ -68,11 +67,7 @@ void Controls::handle(Requests& requests) {
         if (takes_key(event.code)) press_key(event.code, event.mods, requests);
         break;
       case Kind::drop:
-        if (event.files.empty()) break;
-        if (const auto& file = event.files.front(); lower_ending(file) == ".csv")
-          requests.measured = file;
-        else
-          requests.open = file;
+        if (!event.files.empty()) requests.open = event.files.front();
         break;
       case Kind::key_up:
       case Kind::text:

@@ -11,6 +11,7 @@
 #include "app/system/paths.h"
 #include "app/system/user_files.h"
 #include "app/ui/units.h"
+#include "base/file.h"
 #include "base/interrupt.h"
 
 namespace fascia {
@@ -64,6 +65,7 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
     if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report) << '\n';
     stage_.state.paused = true;
   }
+  if (!options.measured.empty()) observer_.show_measured(options.measured);
   if (scripted(options)) stepping_.limit(steps_to_run(options, stage_.simulation()));
   session_began();
   recovery_.look_for_left();
@@ -247,7 +249,6 @@ void Window::capture(const Requests& requests) {
   capture_.follow(stepping_.simulated());
   if (requests.video) capture_.toggle_video();
   observer_.write_plots(requests);
-  if (requests.measured) observer_.show_measured(*requests.measured);
   if (requests.fit) observer_.start_fit(std::filesystem::read_symlink("/proc/self/exe"));
   if (requests.screenshot) capture_.screenshot();
 }
@@ -257,10 +258,7 @@ void Window::carry_out(const Requests& requests) {
   if (requests.resume) resume(*requests.resume);
   if (requests.resume_recovered && recovery_.left()) resume(std::filesystem::path(*recovery_.left()));
   if (requests.forget_recovered) recovery_.forget_left();
-  if (requests.open) {
-    take_over(opener_.open(*requests.open));
-    panels_.opened(*requests.open);
-  }
+  if (requests.open) open(*requests.open);
   if (requests.save) {
     stage_.save(*requests.save, requests.save_with_mesh);
     panels_.opened(*requests.save);
@@ -290,6 +288,12 @@ void Window::carry_out(const Requests& requests) {
   if (requests.let_go) stage_.mouse.let_go_staying(sides_.held());
   if (requests.reload_shaders) reload_shaders();
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
+}
+
+void Window::open(const std::filesystem::path& file) {
+  if (lower_ending(file) == ".csv") return observer_.show_measured(file);  // beside the open scene
+  take_over(opener_.open(file));
+  panels_.opened(file);
 }
 
 void Window::take_over(std::unique_ptr<Session> opened) {

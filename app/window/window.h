@@ -44,6 +44,7 @@ class Window {
   void finish(double wall_s);
 
   void carry_out(const Requests& requests);
+  void open(const std::filesystem::path& file);  // a scene, or measured curves for the plots
   void take_over(std::unique_ptr<Session> opened);
   void session_began();
   void set_title();
