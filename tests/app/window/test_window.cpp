@@ -262,6 +262,22 @@ TEST_CASE("a window closes by itself after the requested steps") {
   CHECK(nlohmann::json::parse(read_file(desk.folder / "stats.json")).at("steps") == 5);
 }
 
+TEST_CASE("a window opens with measured curves, or says what they lack") {
+  const SceneDesk desk;
+  const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
+  const auto with = [&](const std::string& content) {
+    write_file(desk.folder / "curves.csv", content);
+    return run_fascia(with_size({"view", scene, "--steps", "5", "--measured", "curves.csv"}), desk.folder.path());
+  };
+  const CommandResult shown = with("time_s,probe_y_mm\n0,0\n1,-2\n");
+  CAPTURE(shown.err);
+  CHECK(shown.exit_code == 0);
+  const CommandResult other = with("index,x,y,z\n3,0,0,0\n");
+  CAPTURE(other.err);
+  CHECK(other.exit_code == 1);
+  CHECK_THAT(other.err, Catch::Contains("curves.csv: has no curve over time that the plots show"));
+}
+
 TEST_CASE("tissue that diverges repeatedly pauses with a message and a replay; the window and the scene stay") {
   const SceneDesk desk;
   const std::string scene = desk.scene("cube.json", cube_scene("Cube", 1e5));
