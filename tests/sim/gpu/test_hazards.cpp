@@ -12,8 +12,9 @@ using namespace fascia::test;
 
 namespace {
 
-/// Pictures of a state: as a surface with marks, as wireframe, cut, and as separate tets.
-void draw_every_way(const Model& model, const GpuSolver& solver, gl::ProgramCache& programs) {
+/// Pictures of a state: as a surface with marks, as wireframe, cut, and as separate tets. The first one is another one
+/// with each `turn`, because its barriers serve the others, too.
+void draw_every_way(const Model& model, const GpuSolver& solver, gl::ProgramCache& programs, std::size_t turn) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (const Tet& tet : model.tets) triangles.push_back({tet[0], tet[1], tet[2]});
   const std::vector<std::uint32_t> regions(model.tets.size(), 0), marked{0, 1};
@@ -28,12 +29,14 @@ void draw_every_way(const Model& model, const GpuSolver& solver, gl::ProgramCach
   wireframe.wireframe = wireframe.heat_map = true;
   cut.section = SectionCut{{1, 0, 0}, -0.05f};
   apart.tets.emplace();
-  for (const Look& look : {surface, wireframe, cut, apart, surface})
-    renderer.draw({&solver.positions()}, camera, look, {}, target);
+  const std::array<Look, 4> looks{apart, surface, cut, wireframe};
+  for (std::size_t k = 0; k < looks.size(); ++k)
+    renderer.draw({&solver.positions()}, camera, looks[(turn + k) % looks.size()], {}, target);
 }
 
 void run_and_draw(const KernelCase& example, gl::ProgramCache& programs) {
-  run_all(example, programs, [&](const GpuSolver& solver) { draw_every_way(example.model, solver, programs); });
+  std::size_t turn = 0;
+  run_all(example, programs, [&](const GpuSolver& solver) { draw_every_way(example.model, solver, programs, turn++); });
 }
 
 KernelCase case_of(const std::string& name) {
