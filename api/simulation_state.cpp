@@ -106,8 +106,10 @@ unsigned Simulation::position_buffer() {
     if (!simulation.gpu())
       throw Error("position_buffer", "there is no GPU", "expected a simulation with an OpenGL context");
     simulation.gpu()->publish();
-    gl::MemoryBarrier(GL_ALL_BARRIER_BITS);  // the caller may read the buffer in any form
-    return static_cast<unsigned>(simulation.gpu()->positions().id());
+    const gl::Buffer& positions = simulation.gpu()->positions();
+    gl::make_barrier(GL_ALL_BARRIER_BITS);  // the caller may read the buffer in any form
+    positions.shader_access().read_by_others();
+    return static_cast<unsigned>(positions.id());
   });
 }
 

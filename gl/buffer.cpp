@@ -90,6 +90,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   label_ = std::move(other.label_);
   memory_ = other.memory_;
   views_ = std::exchange(other.views_, {});
+  shader_access_ = other.shader_access_;
   staging_ = std::move(other.staging_);
   return *this;
 }
@@ -106,9 +107,18 @@ void Buffer::release() {
   bytes_ = 0;
 }
 
+// Before reads and writes that are no shader's.
+void Buffer::after_stores() const { make_barrier(shader_access_.missing(GL_BUFFER_UPDATE_BARRIER_BIT)); }
+
+void Buffer::before_draw(GLbitfield kind) const {
+  make_barrier(shader_access_.missing(kind));
+  shader_access_.read_by(next_command());
+}
+
 void Buffer::upload(std::size_t offset, std::size_t bytes, const void* data) {
   assert(offset + bytes <= bytes_);
   if (bytes == 0) return;
+  after_stores();
   BindBuffer(GL_COPY_WRITE_BUFFER, id_);
   BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
@@ -116,6 +126,7 @@ void Buffer::upload(std::size_t offset, std::size_t bytes, const void* data) {
 // Not by glClearBufferData: NVIDIA's driver (580) lets an upload of half a megabyte overtake it.
 void Buffer::upload_zeros(std::size_t bytes) {
   static const std::vector<std::byte> zeros(std::size_t{1} << 20);
+  after_stores();
   BindBuffer(GL_COPY_WRITE_BUFFER, id_);
   for (std::size_t begin = 0; begin < bytes; begin += zeros.size())
     BufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(begin),
@@ -127,6 +138,8 @@ void Buffer::clear() { upload_zeros(bytes_); }
 void Buffer::copy(const Buffer& from, std::size_t from_offset, std::size_t bytes, std::size_t offset) {
   assert(offset + bytes <= bytes_ && from_offset + bytes <= from.bytes_);
   if (bytes == 0) return;
+  from.after_stores();
+  after_stores();
   BindBuffer(GL_COPY_READ_BUFFER, from.id_);
   BindBuffer(GL_COPY_WRITE_BUFFER, id_);
   CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(from_offset),
@@ -144,6 +157,7 @@ void Buffer::download(std::size_t offset, std::size_t bytes, void* data) const {
     read = staging_.get();
     offset = 0;
   }
+  read->after_stores();
   BindBuffer(GL_COPY_READ_BUFFER, read->id_);
   GetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/barriers.h"
 #include "gl/loader.h"
 
 namespace fascia::gl {
@@ -40,6 +41,7 @@ class Buffer {
   void clear();  // zeros
   /// Copies the first `bytes` of another buffer to `offset`, on the GPU.
   void copy(const Buffer& from, std::size_t bytes, std::size_t offset = 0) { copy(from, 0, bytes, offset); }
+  void copy(const Buffer& from, std::size_t from_offset, std::size_t bytes, std::size_t offset);
   template <class T>
   std::vector<T> read() const {
     std::vector<T> data(bytes_ / sizeof(T));
@@ -50,10 +52,15 @@ class Buffer {
   /// Error if the buffer has more texels than the device can fetch.
   GLuint texel_view(GLenum internal_format) const;
 
+  /// To be called before a draw that reads a buffer into which kernels store: makes the barrier `kind`, the bit of how
+  /// it reads, if that is needed.
+  void before_draw(GLbitfield kind) const;
+  ShaderAccess& shader_access() const { return shader_access_; }
+
  private:
   enum class Memory { device, host };
   Buffer(std::string label, std::size_t bytes, const void* data, Memory memory);
-  void copy(const Buffer& from, std::size_t from_offset, std::size_t bytes, std::size_t offset);
+  void after_stores() const;
   void upload_zeros(std::size_t bytes);
   void release();
   GLuint id_ = 0;
@@ -61,6 +68,7 @@ class Buffer {
   std::string label_;
   Memory memory_ = Memory::device;
   mutable std::map<GLenum, GLuint> views_;
+  mutable ShaderAccess shader_access_;
   mutable std::unique_ptr<Buffer> staging_;  // of downloads
 };
 

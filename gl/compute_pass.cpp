@@ -28,6 +28,13 @@ GLenum format_of(Texel texel) {
   return GL_NONE;
 }
 
+/// The barrier between stores and the reads of a slot.
+GLbitfield barrier_of(GLenum target) {
+  return target == GL_SHADER_STORAGE_BUFFER ? GL_SHADER_STORAGE_BARRIER_BIT
+         : target == GL_TEXTURE_BUFFER      ? GL_TEXTURE_FETCH_BARRIER_BIT
+                                            : GL_UNIFORM_BARRIER_BIT;
+}
+
 /// Names of a program's active resources of one kind, in the order of their indices.
 std::vector<std::string> resources(GLuint program, GLenum interface) {
   GLint count = 0, longest = 0;
@@ -150,7 +157,10 @@ void ComputePass::resolve() const {
                   "expected at most " + std::to_string(device().max_storage_block_size) + " in a block on " +
                       device().renderer);
     used[static_cast<std::size_t>(bound - buffers_.begin())] = true;
-    slots.push_back({&buffer, wanted.target, wanted.format, wanted.unit});
+    const auto declared = program_->declared().find(bound->first);
+    const bool stores = wanted.target == GL_SHADER_STORAGE_BUFFER &&
+                        (declared == program_->declared().end() || declared->second == Texel::none);
+    slots.push_back({&buffer, wanted.target, wanted.format, wanted.unit, stores});
   }
   // A declared buffer may be unused: the driver drops inputs without effect.
   for (std::size_t i = 0; i < buffers_.size(); ++i)
@@ -201,6 +211,15 @@ std::size_t ComputePass::bytes() const {
   return bytes;
 }
 
+GLbitfield ComputePass::missing_barriers() const {
+  GLbitfield missing = arguments_ ? arguments_->shader_access().missing(GL_COMMAND_BARRIER_BIT) : 0;
+  for (const Slot& slot : slots_) {
+    const ShaderAccess& access = slot.buffer->shader_access();
+    missing |= slot.stores ? access.missing_before_store() : access.missing(barrier_of(slot.target));
+  }
+  return missing;
+}
+
 void ComputePass::run() const {
   program_->begin_run();
   prepare();
@@ -222,16 +241,19 @@ void ComputePass::run() const {
   }
   for (const auto& [location, value] : uniforms_) Uniform1ui(location, value);
   for (const auto& [location, value] : followed_uniforms_) Uniform1ui(location, *value);
+  make_barrier(missing_barriers());
   if (arguments_) {
     BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments_->id());
     DispatchComputeIndirect(static_cast<GLintptr>(sizeof(std::uint32_t) * first_argument_));
   } else {
     DispatchCompute(groups, 1, 1);
   }
-  // Everything that later passes, draws and copies may do with the results.
-  MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
-                GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
-                GL_BUFFER_UPDATE_BARRIER_BIT);
+  const std::uint64_t command = next_command();
+  for (const Slot& slot : slots_)
+    if (slot.stores)
+      slot.buffer->shader_access().stored_by(command);
+    else
+      slot.buffer->shader_access().read_by(command);
   program_->end_run();
   ++dispatches;
 }

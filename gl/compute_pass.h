@@ -22,8 +22,8 @@ class ComputePass {
   /// may have different ones. Throws Error.
   ComputePass(const Program& program, Bindings buffers, std::uint32_t invocations, Constants constants = {});
 
-  /// Binds, dispatches and sets the barrier that later passes and draws need. Throws Error only if a reloaded program
-  /// needs other buffers.
+  /// Binds, makes the barrier that its accesses need after those before it (barriers.h), and dispatches. Throws Error
+  /// only if a reloaded program needs other buffers.
   void run() const;
   const Program& program() const { return *program_; }
   std::uint32_t groups() const {
@@ -63,7 +63,9 @@ class ComputePass {
     GLenum target;  // GL_SHADER_STORAGE_BUFFER, GL_UNIFORM_BUFFER or GL_TEXTURE_BUFFER
     GLenum format;  // of the buffer texture
     GLuint unit;
+    bool stores;  // whether the kernel may store into it
   };
+  GLbitfield missing_barriers() const;
   const Program* program_;
   Bindings buffers_;
   Constants constants_;

@@ -3,6 +3,8 @@
 #include <cctype>
 #include <cstdio>
 
+#include "gl/barriers.h"
+
 namespace fascia::gl {
 
 #define X(name) decltype(&::gl##name) name = nullptr;
@@ -100,6 +102,7 @@ void load(GetProc get_proc) {
   }
   if (const std::string message = refusal(found); !message.empty()) throw Error(message);
   current_device = now;
+  forget_barriers();
 }
 
 void require_context() {

@@ -44,6 +44,7 @@ void Marks::draw(const Look& look, const gl::Buffer& positions, std::span<const 
   dots.use();
   gl::ActiveTexture(GL_TEXTURE0);
   gl::BindTexture(GL_TEXTURE_BUFFER, positions.texel_view(GL_RGBA32F));
+  positions.before_draw(GL_TEXTURE_FETCH_BARRIER_BIT);
   if (has_fixed) draw_dots(dots, fixed_, kFixed);
   draw_dots(dots, grabbed_, kGrabbed);
   if (!grabs.empty()) {

@@ -75,10 +75,15 @@ void SurfaceRenderer::set_regions(std::span<const std::uint32_t> regions) {
   regions_ = regions.empty() ? gl::Buffer() : gl::Buffer("surface regions", regions.size_bytes(), regions.data());
 }
 
+void SurfaceRenderer::draw_elements(const VertexArray& vertices) const {
+  vertices.bind();
+  for (const gl::Buffer* buffer : {&position_, &normal_}) buffer->before_draw(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+  gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
 void SurfaceRenderer::draw_depth(const Look& look) const {
   programs_.draw("draw/surface.vert", "draw/depth.frag", depth_defines(look)).use();
-  vertices_.bind();
-  gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  draw_elements(vertices_);
 }
 
 void SurfaceRenderer::draw_bare(const Look& look) const {
@@ -86,8 +91,7 @@ void SurfaceRenderer::draw_bare(const Look& look) const {
   bare.shadow = false;
   bare.section = look.section;
   programs_.draw("draw/surface.vert", "draw/depth.frag", tissue_defines(bare, {})).use();
-  vertices_.bind();
-  gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  draw_elements(vertices_);
 }
 
 void SurfaceRenderer::draw(const Look& look, GLuint paints) {
@@ -117,10 +121,10 @@ void SurfaceRenderer::draw(const Look& look, GLuint paints) {
   programs_.draw("draw/surface.vert", "draw/surface.frag", tissue_defines(look, drawn)).use();
   if (look.wireframe) {
     no_vertices_.bind();
+    for (const gl::Buffer* buffer : {&position_, &normal_}) buffer->before_draw(GL_TEXTURE_FETCH_BARRIER_BIT);
     gl::DrawArrays(GL_TRIANGLES, 0, index_count_);
   } else {
-    (detailed ? detailed_vertices_ : vertices_).bind();
-    gl::DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    draw_elements(detailed ? detailed_vertices_ : vertices_);
   }
 }
 

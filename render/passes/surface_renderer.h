@@ -28,6 +28,7 @@ class SurfaceRenderer {
 
  private:
   void fill(const VertexArray& vertices) const;
+  void draw_elements(const VertexArray& vertices) const;
   bool provide_rest();
 
   gl::ProgramCache& programs_;

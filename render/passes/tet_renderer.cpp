@@ -28,6 +28,7 @@ void TetRenderer::draw(const gl::Program& program, const gl::Buffer& positions, 
     gl::BindTexture(GL_TEXTURE_BUFFER, paints);
   }
   no_vertices_.bind();
+  positions.before_draw(GL_TEXTURE_FETCH_BARRIER_BIT);
   gl::DrawArrays(GL_TRIANGLES, 0, vertices);
 }
 

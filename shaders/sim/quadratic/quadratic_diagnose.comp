@@ -18,12 +18,17 @@ void main() {
     Tet tet = load_tet(t);
     vec4 material = material_of(t);
     PointGradients corners = CORNER_GRADIENTS(e, tet, displacement), h = at_points(corners);
-    QuadraticElastic elastic = quadratic_elastic(h, material);
     float smallest = 3.4e38, largest = -3.4e38, growth = 0.0, squares = 0.0;
     for (int q = 0; q < 4; ++q) {
-      float at_point = det_f_minus_one(h.at[q]), at_corner = det_f_minus_one(corners.at[q]);
-      smallest = min(smallest, 1.0 + min(at_point, at_corner));
-      largest = max(largest, 1.0 + max(at_point, at_corner));
+      float at_corner = det_f_minus_one(corners.at[q]);
+      smallest = min(smallest, 1.0 + at_corner);
+      largest = max(largest, 1.0 + at_corner);
+    }
+    QuadraticElastic elastic = quadratic_elastic(h, material);
+    for (int q = 0; q < 4; ++q) {
+      float at_point = det_f_minus_one(h.at[q]);
+      smallest = min(smallest, 1.0 + at_point);
+      largest = max(largest, 1.0 + at_point);
       growth += 0.25 * at_point;
       float strain = strain_norm(green_strain(h.at[q]));
       squares += 0.25 * strain * strain;

@@ -44,14 +44,14 @@ void main() {
        x = FETCH(displacement, pair.a.v.w), y = FETCH(displacement, pair.b.v.w);
   PairGradient h = gradients(pair, s0.xyz, s1.xyz, s2.xyz, x.xyz, y.xyz);
   DEFER_GUARDED(i, pair, h)
-  Sym3 foreseen_a = Sym3(vec3(0.0), vec3(0.0)), foreseen_b = foreseen_a;
 #if EXACT
   PairGradient step = GRADIENTS(pair, primal_step);
-  foreseen_a = strain_change(deformation_of(h.a, material_of(pair.ta)).f, step.a);
-  foreseen_b = strain_change(deformation_of(h.b, material_of(pair.tb)).f, step.b);
+#define FORESEEN(h, t, step) strain_change(deformation_of(h, material_of(t)).f, step)
+#else
+#define FORESEEN(h, t, step) Sym3(vec3(0.0), vec3(0.0))
 #endif
-  BlockStep a = solve(pair.ta, true, pair.a, h.a, vec4(s0.w, s1.w, s2.w, x.w), foreseen_a);
-  BlockStep b = solve(pair.tb, pair.two, pair.b, h.b, vec4(s0.w, s2.w, s1.w, y.w), foreseen_b);
+  BlockStep a = solve(pair.ta, true, pair.a, h.a, vec4(s0.w, s1.w, s2.w, x.w), FORESEEN(h.a, pair.ta, step.a));
+  BlockStep b = solve(pair.tb, pair.two, pair.b, h.b, vec4(s0.w, s2.w, s1.w, y.w), FORESEEN(h.b, pair.tb, step.b));
   uvec4 slot = FETCH(pair_slots, i);
   STORE3(correction[slot.x], a.dx0 + b.dx0)
   STORE3(correction[slot.y], a.dx1 + b.dx2)

@@ -78,12 +78,9 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
                             (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes() +
                             contact.pairs().size() * sizeof(shared::vec4);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
-  gl::BindBuffer(GL_COPY_WRITE_BUFFER, p.staging.id());
   std::size_t offset = 0;
   const auto copy_part = [&](const gl::Buffer& from, std::size_t begin, std::size_t size) {
-    gl::BindBuffer(GL_COPY_READ_BUFFER, from.id());
-    gl::CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(begin),
-                          static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(size));
+    p.staging.copy(from, begin, size, offset);
     offset += size;
   };
   const auto copy = [&](const gl::Buffer& from) { copy_part(from, 0, from.bytes()); };
