@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/interrupt.h"
+#include "sim/contact/tissue_cover.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/replay/input_log.h"
@@ -145,7 +146,8 @@ class Simulation {
   void judge_device(const StateGuard::Verdict& first);
   void wake();
   ToolMotion tool_motion() const;  // in the next step
-  bool tools_move() const;
+  bool tools_disturb();
+  void cover_tissue();
   void give_motion();  // of led tools, to the solver
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
@@ -169,6 +171,7 @@ class Simulation {
   std::optional<State> start_;  // where reset() goes; none: the scene's rest state
   GrabTrack held_;
   LedTools led_;
+  std::optional<TissueCover> cover_;  // of the tissue as it came to rest, in scenes with tools
   Listener listener_;
   InputLog log_;
   State valid_state_;
