@@ -38,6 +38,7 @@ void Simulation::make_step() {
   const bool replaying_timed = replaying() && replay_->timed;  // uses the recorded number of iterations
   pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
   if (asleep_ && tools_disturb()) wake();
+  tools_moved_ = tools_move();
   give_motion();
   led_.arrive();
   ++steps_;
@@ -63,10 +64,16 @@ void Simulation::make_step() {
 
 ToolMotion Simulation::tool_motion() const { return led_.motion(model.tools, time(), time() + scene.solver.time_step); }
 
+bool Simulation::tools_move() const {
+  if (model.tools.empty()) return false;
+  const ToolMotion motion = tool_motion();
+  return motion.from != motion.to;
+}
+
 // Whether a tool moves in the next step where it may touch tissue that has come to rest.
 bool Simulation::tools_disturb() {
+  if (!tools_move()) return false;
   const ToolMotion motion = tool_motion();
-  if (motion.from == motion.to) return false;
   if (!asleep_) cover_tissue();
   for (std::size_t t = 0; t < model.tools.size(); ++t)
     if (cover_->is_met_by(model.tools[t], motion.from[t], motion.to[t])) return true;

@@ -126,10 +126,13 @@ TEST_CASE("what may touch a sleeping cube or changes its forces wakes it; what i
   }
   REQUIRE(simulation->asleep());
   for (int i = 0; i < 30; ++i) {
-    simulation->lead(far_ball(0.01 * i));
+    simulation->lead(far_ball(0.01 * (i + 1)));
     simulation->step();
     REQUIRE(simulation->asleep());
+    REQUIRE(simulation->awaits_inputs());  // a window goes on drawing
   }
+  simulation->step();
+  CHECK_FALSE(simulation->awaits_inputs());
   simulation->lead(ball_at({0.1, 0.25, 0.1}));  // 1 cm from the top
   simulation->step();
   CHECK_FALSE(simulation->asleep());
