@@ -190,6 +190,7 @@ void bench_iterations(Bench& bench) {
 void bench_contact(Bench& bench) {
   bench_cost(bench);
   bench_iterations(bench);
+  bench_contact_probe(bench);
 }
 
 }  // namespace fascia

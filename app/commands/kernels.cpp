@@ -13,8 +13,8 @@ struct KernelOptions : CommonOptions {
   bool whole_steps = false;
 };
 
-// Drivers compile a kernel when it first runs. Steps of all tets come first, since every window makes them; then those
-// of tets that move while others rest.
+// Drivers compile a kernel when it first runs. Steps of all tets come first, since every window makes them, with
+// contact and without in scenes with tools; then those of tets that move while others rest.
 int compile_kernels(const KernelOptions& options) {
   Opened opened = open_input(options, options.sets);
   const Graphics graphics =
@@ -24,8 +24,10 @@ int compile_kernels(const KernelOptions& options) {
   simulation.step();
   GpuSolver& solver = *simulation.gpu();
   solver.step();
+  solver.run_contact_kernels();
   solver.set_grab({{tip_vertex(simulation.model), {0, 0, 0}, 1}});
   solver.step();
+  solver.run_contact_kernels();
   if (options.whole_steps) return exit_done;
   solver.run_partial_kernels();
   solver.set_grab({});

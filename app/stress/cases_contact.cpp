@@ -1,5 +1,6 @@
 // Cases with rigid tools that do what no hand does: they appear inside the tissue, shake, crush, pinch and press from
 // all sides.
+#include <cmath>
 #include <numbers>
 
 #include "app/stress/case_maker.h"
@@ -72,6 +73,21 @@ void add_contact(StressCases& c) {
     shaken.push_back(at(k / 60.0, {0.35, kBarWidth + 0.04 - (k % 2 ? 0.03 : 0), 0.1 + (k % 3 ? 0.01 : -0.01)}));
   shaken.push_back(at(1 + blink, above));
   touched(c, "tool shakes by 3 cm in every step", {tool("ball", ball(0.04), shaken)});
+  // 100 kHz, of which every step sees one moment: without any order.
+  std::vector<Key> jittered{at(0, {0.3, kBarWidth + 0.05, 0.1})};
+  for (int k = 12; k < 60; ++k)
+    jittered.push_back(at(k / 60.0, Vector3d(0.3, kBarWidth + 0.02, 0.1) +
+                                        0.002 * Vector3d(std::sin(12.9 * k), std::sin(78.2 * k), std::sin(37.7 * k))));
+  jittered.push_back(at(1 + blink, above));
+  touched(c, "tool jitters at 100 kHz", {tool("ball", ball(0.04), jittered)});
+  std::vector<Key> stepped;  // down by 3 cm, then along the beam, five places a second
+  for (int k = 0; k < 6; ++k) {
+    const Vector3d place(0.35 - 0.03 * std::max(0, k - 1), kBarWidth + 0.04 - 0.015 * std::min(k, 2), 0.1);
+    stepped.push_back(at(0.2 * k + blink, place));
+    stepped.push_back(at(0.2 * (k + 1), place));
+  }
+  stepped.push_back(at(1.2 + blink, above));
+  touched(c, "tool moved at 5 frames a second", {tool("ball", ball(0.04), stepped)}, 150);
   touched(c, "tool flies through at 60 m/s",
           {tool("ball", ball(0.05),
                 {at(0.1, kMiddle + Vector3d(0, 1, 0)), at(0.1 + 1.0 / 30, kMiddle - Vector3d(0, 1, 0))})});
@@ -86,11 +102,23 @@ void add_contact(StressCases& c) {
   }
   touched(c, "ten tools", ten);
 
-  for (const double young : {1e3, 1e5, 1e8})
+  for (const double young : {1e3, 1e4, 1e5, 1e6, 1e8})
     // Tissue of 1 kPa swings by itself, once in five seconds.
-    touched(c, "pressed E=" + in_short(young), {presses(0.03)}, 150, [&](Scene& s) {
+    touched(c, "pressed E=" + in_short(young), {presses(0.03)}, young < 1e6 ? 300 : 150, [&](Scene& s) {
       s.bodies[0].material.young_modulus = young;
     }).criteria.recovers = young > 1e4;
+  StressCase& reset = touched(c, "reset while pressed", {presses(0.03)}, 240);
+  for (const long step : {30, 31, 70, 90}) reset.replay.inputs.push_back({step, ResetInput{}});
+  StressCase& undone = touched(c, "sliders moved and undone while pressed", {presses(0.03)}, 150);
+  const Material before = undone.replay.scene.bodies[0].material;
+  for (long step = 24; step < 48; ++step) {
+    Material changed = before;
+    if (step % 2 == 0) changed.young_modulus *= step % 4 == 0 ? 30 : 0.03;
+    if (step % 6 == 0) changed.poisson_ratio = 0.48;
+    undone.replay.inputs.push_back({step, MaterialInput{0, changed}});
+  }
+  undone.replay.inputs.push_back({48, MaterialInput{0, before}});
+
   for (const double ratio : {0.0, 0.45, 0.49})
     touched(c, "pressed nu=" + in_short(ratio), {presses(0.03)}, 150,
             [&](Scene& s) { s.bodies[0].material.poisson_ratio = ratio; });

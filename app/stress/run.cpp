@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/stress/stress.h"
+#include "sim/contact/penetration.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {
@@ -133,6 +134,9 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
   if (criteria.recovers && result.rms >= kRecovered) fail("off its rest shape by ", result.rms, " sizes RMS");
   if (const double way = ledger.farthest_between(middle, simulation.state()); criteria.lies_still && way > kCreep)
     fail("moved by ", way, " sizes where it lies");
+  if (criteria.stays_apart)
+    if (const std::size_t cuts = penetrating_triangles(simulation.model, simulation.state().displacement); cuts > 0)
+      fail(cuts, " triangles cut each other at the end");
   if (criteria.springs_back && now.kinetic + now.elastic > kSprungBack * most_elastic)
     fail("keeps ", now.kinetic + now.elastic, " J of ", most_elastic, " J");
   if (criteria.carries_its_weight) {

@@ -22,6 +22,7 @@ struct StressCriteria {
   /// Energies at rest: "no tet inverted" can hide one that is stretched eight times.
   bool springs_back = false;        // kinetic + elastic end below 1e-4 of the largest elastic energy of the run
   bool lies_still = false;          // no vertex moves by 1e-6 sizes in the second half
+  bool stays_apart = false;         // no triangles of the surface cut each other at the end
   bool carries_its_weight = false;  // elastic ends below the work of gravity, kinetic below 1e-3 of it
 };
 

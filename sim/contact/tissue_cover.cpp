@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/contact/tissue_surface.h"
+#include "sim/tool/followed_place.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
@@ -15,7 +16,8 @@ namespace {
 constexpr int kMostParts = 8;  // along an edge
 }
 
-TissueCover::TissueCover(const Model& model, double radius) : radius_(radius), faces_(tissue_boundary(model)) {
+TissueCover::TissueCover(const Model& model, double radius)
+    : radius_(radius), half_thickness_(0.5 * model.contact.thickness), faces_(tissue_boundary(model)) {
   follow(model.rest_positions);
 }
 
@@ -58,6 +60,12 @@ double TissueCover::clearance(const Tool& tool, const ToolPlace& place) const {
     }
   }
   return nearest;
+}
+
+bool TissueCover::is_met_by(const Tool& tool, const ToolPlace& from, const ToolPlace& to) const {
+  if (from == to) return false;
+  const double reach = way_between(tool, from, to, size()) + kContactMargin * size() + half_thickness_;
+  return clearance(tool, from) <= reach;
 }
 
 }  // namespace fascia

@@ -41,6 +41,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       diagnostics_(buffers_),
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
+  if (!model_.tools.empty() && !contact_.searches()) watch_.emplace(programs, buffers_);
   require_carried(settings_.method, model.materials, "solver.method");
   require_computing(programs);
   upload_step(next_stages().front());
@@ -85,125 +86,6 @@ void GpuSolver::make_method() {
   acceleration_ = make_acceleration(accelerated);
 }
 
-void GpuSolver::record() {
-  const bool extrapolates = info_of(settings_.integrator).extrapolates;
-  if (!extrapolates) earlier_step_ = 0;
-  buffers_.keep_earlier(extrapolates);
-  if (!features_.damping) previous_strain_ = {};
-  if (features_.damping && !previous_strain_)
-    previous_strain_ =
-        gl::Buffer("previous_strain",
-                   2 * sizeof(shared::vec4) * (buffers_.linear_count() + std::size_t{4} * buffers_.quadratic_count));
-  const bool may_rest = method_->may_rest_in_regions() && !stop_ && settings_.rest_speed > 0 &&
-                        !buffers_.displacement_low && !contact_.acts() &&
-                        buffers_.work() >= RestingRegions::kLeastTets && !always_whole_;
-  if (!may_rest) regions_.reset();
-  if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
-  fuses_ = !stop_ && gl::fuses(programs_);
-  // A GPU skips a branch that no neighboring invocation takes; a second dispatch and its copies would only add cost.
-  const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
-  const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
-  const bool may_defer =
-      features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
-  if (!may_defer) deferred_.reset();
-  if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
-  method_->prepare(recording(nullptr));
-  buffers_.correction.clear();  // kernels may leave its w unchanged
-  before_every_ = 1;
-  whole_ = record_step(nullptr);
-  whole_fused_ = fuse(whole_);
-  partial_ = {};
-  partial_fused_.reset();
-  diagnostics_.record(programs_, buffers_, features_, previous_strain_, terms_);
-  surface_.record(programs_, buffers_, features_, color_, contact_);
-  published_ = false;
-}
-
-std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
-  if (!fuses_) return std::nullopt;
-  const auto joined = [&](std::initializer_list<const Passes*> lists) {
-    Passes all;
-    for (const Passes* list : lists) append(all, *list);
-    return gl::FusedPasses(programs_, all);
-  };
-  return FusedStep{joined({&passes.begin}),
-                   joined({&passes.again}),
-                   joined({&passes.before_first, &passes.first_iteration}),
-                   joined({&passes.refresh}),
-                   joined({&passes.before, &passes.iteration}),
-                   joined({&passes.end})};
-}
-
-Start GpuSolver::start() {
-  if (!method_->starts_without_gravity() || parts_.held_parts == 0) return {};
-  if (parts_.parts == 0) return {false};
-  if (!unconstrained_) unconstrained_ = gl::Buffer("unconstrained", parts_.unconstrained);
-  return {false, &unconstrained_};
-}
-
-Recording GpuSolver::recording(const ActiveSet* active) {
-  return {programs_, buffers_, features_, previous_strain_, terms_, deferred_ ? &*deferred_ : nullptr, active};
-}
-
-GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active) {
-  const gl::ProgramCache::Postponed postponed(
-      programs_);  // kernels that are part of another program need none of their own
-  const Recording r = recording(active);
-  StepPasses passes;
-  const bool strains_first = buffers_.earlier_displacement && features_.damping;
-  if (strains_first) append(passes.begin, strains_at_start(r));
-  passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
-  if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
-  if (features_.damping && !strains_first) append(passes.begin, strains_at_start(r));
-  if (contact_.searches()) {
-    passes.again = r.beginnings();
-    append(passes.again, method_->begin(r));
-  }
-  append(passes.begin, r.beginnings());
-  append(passes.begin, method_->begin(r));
-  if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
-  passes.refresh = method_->refresh(r);
-  if (multiplier_weight_) {
-    gl::ComputePass::Bindings bindings{{"step", &buffers_.step},
-                                       {"tet_vertices", &buffers_.tet_vertices},
-                                       {"tet_shape", &buffers_.tet_shape},
-                                       {"multiplier_weight", &multiplier_weight_}};
-    passes.begin.push_back(r.over_tets("sim/acceleration/multiplier_weight.comp", defines_of(features_),
-                                       with_material(std::move(bindings), features_, buffers_)));
-    passes.begin.back().loops(0);
-  }
-  if (acceleration_) append(passes.begin, acceleration_->begin(r));
-  passes.first_iteration = iteration(r, true);
-  passes.iteration = iteration(r, false);
-  passes.end = method_->end(r);
-  if (stop_) {
-    stop_->record(r, passes.before_first, passes.before,
-                  {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
-    before_every_ = stop_->interval();
-  }
-  append(passes.end, r.endings());
-  passes.end.push_back(velocity_update(r));
-  if (!fuses_ || (active && !programs_.fusing_rare()))
-    for (const Passes* list : passes.lists())
-      for (const gl::ComputePass& pass : *list) pass.program().begin_link();
-  return passes;
-}
-
-bool GpuSolver::ready() const {
-  const auto idle = [](const Passes* list) {
-    return std::all_of(list->begin(), list->end(), [](const gl::ComputePass& pass) { return pass.program().idle(); });
-  };
-  const auto lists = whole_.lists();
-  return method_->ready() && std::all_of(lists.begin(), lists.end(), idle);
-}
-
-Passes GpuSolver::iteration(const Recording& r, bool first) {
-  Passes passes = method_->iteration(r, first);
-  // Chebyshev acceleration is for methods whose iterations start at the prediction.
-  if (acceleration_) append(passes, acceleration_->after_iteration(r, first));
-  return passes;
-}
-
 void GpuSolver::reset() { upload(initial_state(given_)); }
 
 void GpuSolver::upload(const State& state) {
@@ -230,15 +112,20 @@ void GpuSolver::state_changed() {
   has_step_ = false;
   published_ = false;
   earlier_step_ = 0;
-  if (regions_) regions_->restart();
+  restart_rounds();
   if (method_) method_->forget_contact();
   contact_.forget_forces();
+}
+
+void GpuSolver::restart_rounds() {
+  if (regions_) regions_->restart();
+  if (watch_) watch_->restart();
 }
 
 void GpuSolver::request_check() {
   guard_.request(buffers_, {time_, earlier_step_});
   // So that steps from this state on are repeated to the bit
-  if (regions_) regions_->restart();
+  restart_rounds();
   method_->forget_contact();
 }
 
@@ -302,7 +189,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
 void GpuSolver::settings_changed() {
   has_step_ = false;
   published_ = false;
-  if (regions_) regions_->restart();
+  restart_rounds();
   upload_step(next_stages().front());
   method_->values_changed(model_, settings_);
   if (acceleration_) acceleration_->values_changed();
@@ -331,7 +218,7 @@ void GpuSolver::set_grab(const std::vector<GrabSpring>& springs) {
   method_->set_stiffness(stiffness_of(terms_));
   if (!others) return;
   record();
-  if (regions_) regions_->restart();
+  restart_rounds();
 }
 
 void GpuSolver::set_color(ColorBy color) {

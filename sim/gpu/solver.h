@@ -14,6 +14,7 @@
 #include "sim/gpu/acceleration/acceleration.h"
 #include "sim/gpu/acceleration/stop_rule.h"
 #include "sim/gpu/contact/contact_term.h"
+#include "sim/gpu/contact/tool_watch.h"
 #include "sim/gpu/integrators/stage.h"
 #include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
@@ -97,11 +98,15 @@ class GpuSolver {
   /// The share of the work that a step did, on average: less than 1 where regions rested (resting_regions.h).
   double share_solved() const;
   /// Whether the last step solved all tets.
-  bool last_was_whole() const { return passes_ == &whole_; }
+  bool last_was_whole() const { return kind_ != &partial_; }
+  /// Whether the last step had contact: not where tools are far from tissue.
+  bool last_had_contact() const { return touches(); }
   void solve_everything();  // in every later step
   /// Runs the kernels of a step in which some regions rest while others move, if there may be such steps, without any
   /// that move: the state stays. For filling a driver's cache.
   void run_partial_kernels();
+  /// Steps once more, with contact if the last step had none and the other way round. For filling a driver's cache.
+  void run_contact_kernels();
 
   State download() const { return buffers_.download_state(time_, earlier_step_); }
   State download_valid() const { return guard_.download(buffers_); }  // the state of restore_valid()
@@ -131,7 +136,7 @@ class GpuSolver {
   int background_taken() { return std::exchange(background_taken_, 0); }
   const Coloring* coloring() const { return method_->coloring(); }  // of gauss_seidel; null for other methods
 
-  std::uint64_t dispatches_per_step() const;
+  std::uint64_t dispatches_per_step() const;  // of a step like the last one, of all tets
   /// An estimate: every buffer that a kernel uses, once; passes of each iteration and their share of the refreshes,
   /// without deferred tets.
   double bytes_per_iteration() const;
@@ -149,6 +154,7 @@ class GpuSolver {
   void begin_stage(const IntegratorStage& stage);
   void place_tools(double duration);
   void begin_step();                           // of time_step
+  ToolMotion next_tools() const;               // in the next one
   bool takes_contact(int iteration) const;     // before it, into the coarse level
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_stage();
@@ -163,23 +169,34 @@ class GpuSolver {
     std::array<const Passes*, 7> lists() const {
       return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &end};
     }
+    bool recorded() const { return !begin.empty(); }
   };
   // The same in few dispatches, where passes can be fused. `first`: the first iteration with the passes before it.
   struct FusedStep {
     gl::FusedPasses begin, again, first, refresh, iteration, end;
   };
-  void record_partial();
-  const FusedStep* fused_step() const;  // of passes_; null where they run unfused
+  // A kind of steps, recorded when it is first needed.
+  struct StepKind {
+    StepPasses passes;
+    std::optional<FusedStep> fused;
+  };
+  bool touches() const { return contact_.acts() && kind_ != &apart_ && kind_ != &partial_; }
+  bool is_near();             // whether the next step needs contact
+  void take(StepKind& kind);  // for the next steps
+  void record(StepKind& kind);
+  const StepKind& whole_kind() const { return contact_.acts() && !touches() ? apart_ : whole_; }
+  const FusedStep* fused_step() const;  // of kind_; null where its passes run unfused
   std::optional<FusedStep> fuse(const StepPasses& passes);
   Start start();
-  Recording recording(const ActiveSet* active);
-  StepPasses record_step(const ActiveSet* active);
+  Recording recording(const ActiveSet* active, bool contact);
+  StepPasses record_step(const ActiveSet* active, bool contact);
   int refreshes() const;  // per substep
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
   void unfold();  // before a step (sim/gpu/unfolding.h)
   void end_unfolding();
   void state_changed();
+  void restart_rounds();                               // of what looks at the state every few steps
   std::uint32_t vertex_at(std::uint32_t place) const;  // `place`: as read back
 
   gl::ProgramCache& programs_;
@@ -204,6 +221,9 @@ class GpuSolver {
   GrabSprings grab_;
   ContactTerm contact_;
   const EnergyTerms terms_{&grab_, &contact_};  // external energies
+  const EnergyTerms terms_apart_{&grab_};       // those of steps in which no tool is near
+  std::optional<ToolWatch> watch_;              // where there are tools, and tissue does not touch tissue
+  std::optional<bool> near_;                    // run_contact_kernels(): regardless of watch_
   ToolMotion step_motion_, stage_motion_;       // of the last step, of its last stage
   std::optional<ToolMotion> led_motion_;        // none: on their paths
   double step_begin_ = 0;                       // [s]
@@ -213,10 +233,9 @@ class GpuSolver {
   SurfacePositions surface_;
   std::optional<DeferredTets> deferred_;   // with materials that defer tets
   std::optional<RestingRegions> regions_;  // where some regions may rest while others move
-  StepPasses whole_,
-      partial_;  // for all tets; for the tets of a step with resting regions, recorded at the first such step
-  std::optional<FusedStep> whole_fused_, partial_fused_;
-  const StepPasses* passes_ = &whole_;
+  // For all tets, with contact and without; for the tets of a step with resting regions, without contact
+  StepKind whole_, apart_, partial_;
+  StepKind* kind_ = &whole_;
   bool always_whole_ = false;
   bool fuses_ = false;
   int before_every_ = 1;          // iterations from one run of `before` to the next

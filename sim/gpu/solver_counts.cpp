@@ -31,8 +31,9 @@ double GpuSolver::bytes_per_iteration() const {
         bytes += static_cast<double>(pass.bytes());
     return bytes;
   };
-  return bytes_of(whole_.iteration) + bytes_of(whole_.before) / before_every_ +
-         bytes_of(whole_.refresh) * refreshes() / settings_.iterations;
+  const StepPasses& passes = whole_kind().passes;
+  return bytes_of(passes.iteration) + bytes_of(passes.before) / before_every_ +
+         bytes_of(passes.refresh) * refreshes() / settings_.iterations;
 }
 
 int GpuSolver::refreshes() const {
@@ -42,8 +43,8 @@ int GpuSolver::refreshes() const {
 }
 
 std::uint64_t GpuSolver::dispatches_per_step() const {
-  if (whole_fused_) {
-    const FusedStep& fused = *whole_fused_;
+  if (whole_kind().fused) {
+    const FusedStep& fused = *whole_kind().fused;
     std::uint64_t count = fused.begin.dispatches(1) + fused.first.dispatches(1) + fused.end.dispatches(1);
     count += refreshes() * fused.refresh.dispatches(1);
     for (int i = 1; i < settings_.iterations; i = alike_from(i))
@@ -51,10 +52,11 @@ std::uint64_t GpuSolver::dispatches_per_step() const {
     return settings_.stages_per_step() * count;
   }
   const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
+  const StepPasses& passes = whole_kind().passes;
   const std::uint64_t iterations =
-      whole_.before_first.size() + others * whole_.before.size() + whole_.first_iteration.size() +
-      (settings_.iterations - 1) * whole_.iteration.size() + refreshes() * whole_.refresh.size();
-  return settings_.stages_per_step() * (whole_.begin.size() + iterations + whole_.end.size());
+      passes.before_first.size() + others * passes.before.size() + passes.first_iteration.size() +
+      (settings_.iterations - 1) * passes.iteration.size() + refreshes() * passes.refresh.size();
+  return settings_.stages_per_step() * (passes.begin.size() + iterations + passes.end.size());
 }
 
 }  // namespace fascia

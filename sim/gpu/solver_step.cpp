@@ -3,6 +3,7 @@
 
 #include "gl/bindings.h"
 #include "sim/gpu/unfolding.h"
+#include "sim/model/prescribed_motion.h"
 
 namespace fascia {
 
@@ -50,18 +51,23 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
   if (const FusedStep* fused = fused_step())
     fused->begin.run();
   else
-    run(passes_->begin);
+    run(kind_->passes.begin);
 }
 
 void GpuSolver::begin_step() {
   step_begin_ = time_;
-  step_motion_ = led_motion_ ? *led_motion_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
+  step_motion_ = next_tools();
+}
+
+ToolMotion GpuSolver::next_tools() const {
+  return led_motion_ ? *led_motion_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
 }
 
 void GpuSolver::place_tools(double duration) {
   if (!contact_.acts()) return;
   const double from = (time_ - step_begin_) / settings_.time_step;
   stage_motion_ = step_motion_.part(from, from + duration / settings_.time_step);
+  if (!touches()) return;
   contact_.begin_stage(stage_motion_, time_ + duration, duration, buffers_);
 }
 
@@ -69,7 +75,7 @@ void GpuSolver::place_tools(double duration) {
 // iterations are 7 % off without later updates, 2 % with them.
 bool GpuSolver::takes_contact(int iteration) const {
   constexpr int kInterval = 4;
-  return contact_.acts() && iteration % kInterval == 0;
+  return touches() && iteration % kInterval == 0;
 }
 
 void GpuSolver::iterate(int iteration, int count) {
@@ -81,18 +87,18 @@ void GpuSolver::iterate(int iteration, int count) {
     return fused->iteration.run(static_cast<std::uint32_t>(count));
   }
   // With the stiffness of contact that the last forces had, as above; a stop rule looks at the gradient first.
-  const bool refreshes_first = contact_.acts() && !stop_;
-  if (refreshes && refreshes_first) run(passes_->refresh);
-  if (iteration % before_every_ == 0) run(iteration == 0 ? passes_->before_first : passes_->before);
-  if (refreshes && !refreshes_first) run(passes_->refresh);
-  run(iteration == 0 ? passes_->first_iteration : passes_->iteration);
+  const bool refreshes_first = touches() && !stop_;
+  if (refreshes && refreshes_first) run(kind_->passes.refresh);
+  if (iteration % before_every_ == 0) run(iteration == 0 ? kind_->passes.before_first : kind_->passes.before);
+  if (refreshes && !refreshes_first) run(kind_->passes.refresh);
+  run(iteration == 0 ? kind_->passes.first_iteration : kind_->passes.iteration);
 }
 
 void GpuSolver::end_stage() {
   if (const FusedStep* fused = fused_step())
     fused->end.run();
   else
-    run(passes_->end);
+    run(kind_->passes.end);
 }
 
 int GpuSolver::alike_from(int iteration) const {
@@ -103,10 +109,7 @@ int GpuSolver::alike_from(int iteration) const {
   return end;
 }
 
-const GpuSolver::FusedStep* GpuSolver::fused_step() const {
-  const std::optional<FusedStep>& fused = passes_ == &whole_ ? whole_fused_ : partial_fused_;
-  return fused && !timed_ ? &*fused : nullptr;
-}
+const GpuSolver::FusedStep* GpuSolver::fused_step() const { return kind_->fused && !timed_ ? &*kind_->fused : nullptr; }
 
 void GpuSolver::iterate_all() {
   for (int i = 0; i < settings_.iterations;) {
@@ -123,7 +126,7 @@ void GpuSolver::solve_stage(const IntegratorStage& stage) {
     if (const FusedStep* fused = fused_step())
       fused->again.run();
     else
-      run(passes_->again);
+      run(kind_->passes.again);
     iterate_all();
   }
   end_stage();
@@ -134,40 +137,66 @@ void GpuSolver::solve_substep() {
   earlier_step_ = info_of(settings_.integrator).multistep ? settings_.substep() : 0;
 }
 
-// Selects the passes for all tets or for the moving part only.
-void GpuSolver::choose_passes() {
-  const bool after_whole = passes_ == &whole_;
-  passes_ = &whole_;
-  if (regions_) {
-    if (time_ < model_.end_of_motions()) regions_->restart();
-    if (regions_->begin_step(settings_, stiffness_of(terms_))) passes_ = &partial_;
+bool GpuSolver::is_near() {
+  if (near_) return *near_;
+  if (!watch_ || stop_) return true;  // a stop rule governs the passes of one kind of steps
+  const double duration = settings_.time_step;
+  Eigen::AlignedBox3d led;
+  for (const GrabSpring& spring : springs_) led.extend(given_.rest_positions[spring.vertex] + spring.target);
+  if (time_ < given_.end_of_motions()) {
+    std::vector<Eigen::Vector3d> displacement(given_.rest_positions.size());
+    place_prescribed(given_, time_ + duration, displacement);
+    for (const Motion& motion : given_.motions)
+      for (const std::uint32_t v : motion.vertices) led.extend(given_.rest_positions[v] + displacement[v]);
   }
-  if (passes_ == &partial_) record_partial();
-  if (passes_ == &partial_ && after_whole) {
+  return watch_->is_near(given_, {next_tools(), duration, given_.gravity, led});
+}
+
+// Forces of contact end with the first step apart.
+void GpuSolver::take(StepKind& kind) {
+  const bool touched = touches();
+  kind_ = &kind;
+  if (!kind.passes.recorded()) record(kind);
+  if (touched && !touches()) contact_.let_go(buffers_);
+  if (!touched && touches()) method_->forget_contact();
+}
+
+// Selects the passes with contact or without, for all tets or for the moving part only.
+void GpuSolver::choose_passes() {
+  const bool after_whole = kind_ != &partial_;
+  const bool near = !contact_.acts() || is_near();
+  StepKind* kind = near ? &whole_ : &apart_;
+  if (regions_) {
+    if ((near && contact_.acts()) || time_ < model_.end_of_motions()) regions_->restart();
+    if (regions_->begin_step(settings_, stiffness_of(terms_))) kind = &partial_;
+  }
+  take(*kind);
+  if (kind_ == &partial_ && after_whole) {
     // Vertices beside resting tets would add stale values in the slots of those, from an earlier step, a heat map or
     // diagnostics, to the objective.
     buffers_.correction.clear();
     method_->begin_partial();
   }
-  work_done_ += passes_ == &partial_ ? regions_->active().work : buffers_.work();
-}
-
-void GpuSolver::record_partial() {
-  if (!partial_.begin.empty()) return;
-  partial_ = record_step(&regions_->active());
-  if (programs_.fusing_rare()) partial_fused_ = fuse(partial_);
+  work_done_ += kind_ == &partial_ ? regions_->active().work : buffers_.work();
 }
 
 void GpuSolver::run_partial_kernels() {
   if (!regions_) return;
-  record_partial();
+  StepKind& before = *kind_;
   const double time = time_;
-  passes_ = &partial_;
+  take(partial_);
   method_->begin_partial();
   solve_substep();
-  passes_ = &whole_;
+  take(before);
   time_ = time;
   regions_->restart();
+}
+
+void GpuSolver::run_contact_kernels() {
+  if (!watch_) return;
+  near_ = !touches();
+  step();
+  near_.reset();
 }
 
 void GpuSolver::unfold() {
@@ -193,7 +222,7 @@ void GpuSolver::step() {
   choose_passes();
   begin_step();
   for (int s = 0; s < settings_.substeps; ++s) solve_substep();
-  if (regions_) regions_->end_step();
+  if (regions_ && !touches()) regions_->end_step();
   has_step_ = true;
   ++steps_solved_;
 }
@@ -221,7 +250,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
     request_diagnostics();
     trace.push_back(*take_diagnostics(true));
   };
-  passes_ = &whole_;
+  take(!contact_.acts() || is_near() ? whole_ : apart_);
   if (regions_) regions_->restart();
   look_beside();
   begin_step();

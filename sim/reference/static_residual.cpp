@@ -11,7 +11,8 @@ StaticResidual::StaticResidual(const Model& model)
     weight_.segment<3>(static_cast<Eigen::Index>(3 * v)) = masses[v] * model.gravity;
 }
 
-double StaticResidual::operator()(const State& state, const std::vector<GrabSpring>& springs) const {
+double StaticResidual::operator()(const State& state, const std::vector<GrabSpring>& springs,
+                                  const std::vector<Eigen::Vector3d>& contact) const {
   Eigen::VectorXd u(weight_.size()), load = weight_, gradient;
   for (std::size_t v = 0; v < state.displacement.size(); ++v)
     u.segment<3>(static_cast<Eigen::Index>(3 * v)) = state.displacement[v];
@@ -20,6 +21,7 @@ double StaticResidual::operator()(const State& state, const std::vector<GrabSpri
         spring.stiffness * (spring.target - state.displacement[spring.vertex]);
   system_.evaluate(u, {}, gradient);
   const double scale = std::max(load.norm(), gradient.norm());
+  for (std::size_t v = 0; v < contact.size(); ++v) load.segment<3>(static_cast<Eigen::Index>(3 * v)) += contact[v];
   return scale > 0 ? system_.free_part(gradient - load).norm() / scale : 0;
 }
 

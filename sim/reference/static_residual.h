@@ -9,10 +9,11 @@ class StaticResidual {
  public:
   /// `model` must outlive this object, and its gravity and materials must not change.
   explicit StaticResidual(const Model& model);
-  /// Norm over the free vertices of the elastic energy's gradient minus the weight and the springs' forces, relative to
-  /// the larger norm of the weight and of the gradient at all vertices, which at constrained ones is the reaction. 0
-  /// without any forces.
-  double operator()(const State& state, const std::vector<GrabSpring>& springs = {}) const;
+  /// Norm over the free vertices of the elastic energy's gradient minus the weight, the springs' forces and those of
+  /// contact ([vertex] [N], or empty), relative to the larger norm of the weight with the springs and of the gradient
+  /// at all vertices, which at constrained ones is the reaction. 0 without any forces.
+  double operator()(const State& state, const std::vector<GrabSpring>& springs = {},
+                    const std::vector<Eigen::Vector3d>& contact = {}) const;
 
  private:
   ElasticSystem system_;

@@ -37,7 +37,8 @@ void Simulation::step() {
 void Simulation::make_step() {
   const bool replaying_timed = replaying() && replay_->timed;  // uses the recorded number of iterations
   pull(with_grabs(other_springs_, model.grabs, time() + scene.solver.time_step));
-  if (asleep_ && tools_move()) wake();
+  if (asleep_ && tools_disturb()) wake();
+  tools_moved_ = tools_move();
   give_motion();
   led_.arrive();
   ++steps_;
@@ -64,8 +65,28 @@ void Simulation::make_step() {
 ToolMotion Simulation::tool_motion() const { return led_.motion(model.tools, time(), time() + scene.solver.time_step); }
 
 bool Simulation::tools_move() const {
+  if (model.tools.empty()) return false;
   const ToolMotion motion = tool_motion();
   return motion.from != motion.to;
+}
+
+// Whether a tool moves in the next step where it may touch tissue that has come to rest.
+bool Simulation::tools_disturb() {
+  if (!tools_move()) return false;
+  const ToolMotion motion = tool_motion();
+  if (!asleep_) cover_tissue();
+  for (std::size_t t = 0; t < model.tools.size(); ++t)
+    if (cover_->is_met_by(model.tools[t], motion.from[t], motion.to[t])) return true;
+  return false;
+}
+
+void Simulation::cover_tissue() {
+  if (model.tools.empty()) return;
+  constexpr double kBall = 0.02;  // of the scene's size, as far as tools are looked for
+  if (!cover_) cover_.emplace(model, kBall * gpu_->buffers().size);
+  std::vector<Eigen::Vector3d> positions = state().displacement;
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += model.rest_positions[v];
+  cover_->follow(positions);
 }
 
 void Simulation::give_motion() {
@@ -80,8 +101,7 @@ std::vector<ToolPlace> Simulation::tool_places() const { return led_.motion(mode
 
 void Simulation::lead(const LedTool& tool) {
   const std::vector<LedTool> led = led_.tools();
-  if (std::find(led.begin(), led.end(), tool) != led.end()) return;  // an unchanged place wakes no tissue
-  wake();
+  if (std::find(led.begin(), led.end(), tool) != led.end()) return;
   led_.lead(tool);
   log_.add({steps_, tool});
   tell(tool);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/interrupt.h"
+#include "sim/contact/tissue_cover.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/replay/input_log.h"
@@ -80,8 +81,8 @@ class Simulation {
   const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // of the last set_grab()
   /// All current springs, those of the scene's grabs after the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
-  /// Whether grabs or instruments of the scene will still begin, move or end.
-  bool awaits_inputs() const { return time() < std::max(model.end_of_grabs(), model.end_of_tools()); }
+  /// Whether grabs or instruments of the scene will still begin, move or end, or instruments moved in the last step.
+  bool awaits_inputs() const { return tools_moved_ || time() < std::max(model.end_of_grabs(), model.end_of_tools()); }
 
   /// A vertex that diverged: it is not finite or left the scene. The GPU is queried every few steps without waiting, so
   /// the result may be some steps old. None while a replay will restore an earlier state.
@@ -146,6 +147,8 @@ class Simulation {
   void wake();
   ToolMotion tool_motion() const;  // in the next step
   bool tools_move() const;
+  bool tools_disturb();
+  void cover_tissue();
   void give_motion();  // of led tools, to the solver
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
@@ -169,6 +172,7 @@ class Simulation {
   std::optional<State> start_;  // where reset() goes; none: the scene's rest state
   GrabTrack held_;
   LedTools led_;
+  std::optional<TissueCover> cover_;  // of the tissue as it came to rest, in scenes with tools
   Listener listener_;
   InputLog log_;
   State valid_state_;
@@ -176,7 +180,7 @@ class Simulation {
   long checked_step_ = 0;  // the last requested check is of the state before this step
   RestWatch rest_;
   std::vector<GrabSpring> other_springs_, springs_;  // without and with those of the scene's grabs
-  bool quiet_ = false, asleep_ = false;
+  bool quiet_ = false, asleep_ = false, tools_moved_ = false;
   bool unproven_ = true;  // nothing has been read back since construction
   bool diverged_from_the_start_ = false;
   Settling settling_;

@@ -14,9 +14,10 @@ void Simulation::look() {
   if (diverged_) return;
   checked_step_ = steps_;
   gpu_->request_check();
-  if (!quiet_ || time() < model.end_of_motions() || tools_move()) return settling_.cancel();
+  if (!quiet_ || time() < model.end_of_motions() || tools_disturb()) return settling_.cancel();
   follow_check(true);  // a sleeping state must be known to be valid
   asleep_ = quiet_ && !diverged_ && settle();
+  if (asleep_) cover_tissue();
 }
 
 // Whether a body that hardly moves has come to rest. If its equilibrium can be found quickly, the body is put there.
@@ -26,13 +27,18 @@ bool Simulation::settle() {
   constexpr double kFloat32 = 1e-3;            // of a static residual: rounding in soft slender bodies
   const bool descends = gpu_->descends();
   if (!descends) return rest_.quiet() >= kLong;  // such methods come to rest elsewhere
-  // Friction may hold a body at any of many places.
-  if (model.has_contact()) return rest_.quiet() >= kVeryLong;
-  if (model.tets.size() > Settling::kMostTets)
+  // Friction holds a body at any of many places: it stays where it is, once its forces balance there.
+  if (gpu_->last_had_contact() || model.tets.size() > Settling::kMostTets)
     return rest_.quiet() >= kLong &&
-           (rest_.quiet() >= kVeryLong || reference::StaticResidual(model)(gpu_->download(), springs_) <= kFloat32);
+           (rest_.quiet() >= kVeryLong ||
+            reference::StaticResidual(model)(gpu_->download(), springs_, gpu_->contact_forces()) <= kFloat32);
   if (!settling_.busy()) {
-    if (rest_.quiet() >= settles_after_) settling_.begin(model, scene.solver, springs_, gpu_->download(), steps_);
+    if (rest_.quiet() < settles_after_) return false;
+    Model apart = model;  // from tools, which are far away
+    apart.tools.clear();
+    State now = gpu_->download();
+    now.contact.clear();
+    settling_.begin(apart, scene.solver, springs_, std::move(now), steps_);
     return false;
   }
   if (!settling_.due(steps_)) return false;

@@ -67,6 +67,12 @@ void ContactTerm::forget_forces() {
   rows_.clear();
 }
 
+void ContactTerm::let_go(SimBuffers& buffers) {
+  forget_forces();
+  buffers.contact_memory.clear();
+  buffers.contact_before.clear();
+}
+
 void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
   if (!areas_) {
     std::vector<float> areas(model_.rest_positions.size());

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "sim/contact/tissue_cover.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/gpu/contact/piece_rows.h"
 #include "sim/tool/shape_distance.h"
@@ -19,8 +20,6 @@ using shared::vec4;
 
 // A bound for the loops of kernels. More pairs would need as many faces that press on one vertex.
 constexpr std::uint32_t kMostPairsOfVertex = 1024;
-// Of the size of the tissue: points closer to a tool may touch it in a step in which they were expected to rest.
-constexpr double kMargin = 0.02;
 // How deep inside tools bodies are taken: enough for what touches to press, and for its stiffness to be known.
 constexpr double kLetIn = 1e-4;         // of the size
 constexpr std::uint32_t kNoBody = ~0u;  // shaders/sim/contact/contact_advance.comp
@@ -66,7 +65,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
     throw Error("contact", "has " + std::to_string(surface_.pieces.size()) + " rigid pieces",
                 "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
-  margin_ = kMargin * buffers.size;
+  margin_ = kContactMargin * buffers.size;
   make_grids();
   let_in_ = kLetIn * buffers.size;
   const std::size_t all = point_count() + pairs_.slot_count(), rows = std::max(surface_.row_count, 1u);

@@ -56,6 +56,8 @@ class ContactTerm : public EnergyTerm {
   std::vector<Eigen::Vector3d> forces_at_vertices() const;
   /// So that a state that is set does not show the forces of another one.
   void forget_forces();
+  /// Nothing touches any more: no forces, and none that a later step starts with.
+  void let_go(SimBuffers& buffers);
   /// What shaders/sim/contact/pressure.glsl reads.
   void bind_pressure(gl::ComputePass::Bindings& bindings);
 

@@ -97,13 +97,13 @@ gl::ComputePass CoarseLevel::restriction(const Recording& r, const gl::Buffer& g
 
 Passes CoarseLevel::begin(const Recording& r, const gl::Buffer& gradient) const {
   Passes passes;
-  if (push_) passes.push_back(restriction(r, gradient));
+  if (push_ && r.has_blocks()) passes.push_back(restriction(r, gradient));
   return passes;
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
   const std::uint32_t n = space_.node_count;
-  const bool contact = static_cast<bool>(push_);
+  const bool contact = push_ && r.has_blocks();
   Passes passes;
   passes.push_back(restriction(r, gradient));
   const auto solve = [&](const char* step, const gl::Buffer& right, gl::ComputePass::Bindings more) {

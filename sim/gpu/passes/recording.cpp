@@ -1,5 +1,7 @@
 #include "sim/gpu/passes/recording.h"
 
+#include <algorithm>
+
 namespace fascia {
 namespace {
 
@@ -18,6 +20,11 @@ void append(gl::ComputePass::Constants& constants, gl::ComputePass::Constants mo
 }
 
 }  // namespace
+
+bool Recording::has_blocks() const {
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const EnergyTerm* term) { return term->acts() && term->has_blocks(); });
+}
 
 Passes Recording::beginnings() const {
   Passes passes;

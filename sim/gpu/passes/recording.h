@@ -43,6 +43,7 @@ struct Recording {
     return (items / sum.lanes + 2) * (1 + inner);
   }
 
+  bool has_blocks() const;  // whether a term acts whose stiffness depends on the direction
   /// What external energies compute at the beginning of a stage, along its first step, before every gradient, and at
   /// the end of a stage.
   Passes beginnings() const;

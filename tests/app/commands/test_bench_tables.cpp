@@ -1,7 +1,8 @@
 // Benchmarks whose quick form takes seconds: their tables are complete.
-// Covers: bench, app/bench/contact, app/bench/static_times
+// Covers: bench, app/bench/contact, app/bench/contact_probe, app/bench/static_times
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>
 
 #include "base/file.h"
 #include "tests/support/support.h"
@@ -42,10 +43,16 @@ TEST_CASE("bench contact has the cost of every tool, none far away, and iteratio
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   const std::string cost = read_file(folder / "out/contact_cost.csv"),
-                    iterations = read_file(folder / "out/contact_iterations.csv");
-  INFO(cost << iterations);
+                    iterations = read_file(folder / "out/contact_iterations.csv"),
+                    probe = read_file(folder / "out/contact_probe.csv");
+  INFO(cost << iterations << probe);
   CHECK_THAT(cost, Catch::Contains(",far away,0,"));
   CHECK(std::count(cost.begin(), cost.end(), '\n') == 5 + std::count(cost.begin(), cost.end(), '#') + 1);
   for (const char* shape : {"\nsphere,4,", "\ncapsule,4,", "\nbox,4,", "\ncylinder,4,"})
     CHECK_THAT(iterations, Catch::Contains(shape));
+  double errors[2] = {1, 1};  // of exact steps, and of 20 iterations
+  std::sscanf(probe.c_str() + probe.find("\nexact steps,"), "\nexact steps,12,%lf", &errors[0]);
+  std::sscanf(probe.c_str() + probe.find("\n20 iterations,"), "\n20 iterations,12,%lf", &errors[1]);
+  CHECK(errors[0] < 0.2);  // in the few steps after the first touch
+  CHECK(errors[1] == Approx(errors[0]).epsilon(0.01));
 }

@@ -1,5 +1,5 @@
 // The cases of the stress suite as they are made: that each is what its name says, and can be simulated.
-// Covers: case_maker, cases_conservation, cases_contact, cases_handling, cases_meshes, cases_numbers
+// Covers: case_maker, cases_conservation, cases_bodies, cases_contact, cases_handling, cases_meshes, cases_numbers
 // Covers: cases_slender, cases_standing, cases_starts
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -87,7 +87,7 @@ TEST_CASE("every case of the stress suite has a unique name and can be simulated
   CHECK(groups["handling"] == (pair == solver_choices().front() ? 9 : 8));
   const bool carries_tissue = carries(pair.method, kTissueLaw);  // the others have no such cases
   CHECK(groups["standing"] == (carries_tissue ? 24 : 0));
-  CHECK(groups["contact"] == (info_of(pair.method).carries_contact ? 16 : 0));
+  CHECK(groups["contact"] == (info_of(pair.method).carries_contact ? 30 : 0));
   CHECK(groups["slender"] == (carries_tissue ? 4 : 0));
   CHECK(suite.has("method switched every frame") == (pair == solver_choices().front()));
 }

@@ -66,3 +66,24 @@ TEST_CASE("the clearance is a lower bound of the distance to the surface, also w
       if (distance < 2 * finest_radius(tool.shape)) CHECK(clearance >= distance - std::min(radius, kWhole) - 1e-3);
     }
 }
+
+TEST_CASE("tissue at rest is met by what moves near it, as far as it moves, and not by what is still") {
+  Model model;
+  model.rest_positions = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+  model.tets = {{0, 1, 2, 3}};
+  model.contact.thickness = 0.002;
+  const TissueCover cover(model, 0.003);
+  SceneTools scene;
+  scene.instruments.push_back({"ball", ToolShape(SphereShape{{0, 0, 0}, 0.02}), std::nullopt, {{}}, false});
+  scene.instruments.push_back({"plate", ToolShape(PlaneShape{{0, 0, 0}, {0, 1, 0}}), std::nullopt, {{}}, false});
+  const std::vector<Tool> tools = tools_of(scene);
+  const auto at = [](double x, double y) { return ToolPlace{{Eigen::Matrix3d::Identity(), {x, y, 0}}, 0}; };
+  CHECK_FALSE(cover.is_met_by(tools[0], at(0.119, 0), at(0.119, 0)));  // it touches, and rests
+  CHECK(cover.is_met_by(tools[0], at(0.119, 0), at(0.1191, 0)));
+  CHECK_FALSE(cover.is_met_by(tools[0], at(0.2, 0), at(0.199, 0)));
+  CHECK_FALSE(cover.is_met_by(tools[0], at(0.2, 0), at(0.2, 0.01)));
+  CHECK(cover.is_met_by(tools[0], at(0.2, 0), at(0.12, 0)));  // within the step
+  CHECK_FALSE(cover.is_met_by(tools[1], at(0, -0.05), at(0, -0.049)));
+  CHECK_FALSE(cover.is_met_by(tools[1], at(0, -0.03), at(0, -0.025)));
+  CHECK(cover.is_met_by(tools[1], at(0, -0.02), at(0, 0.01)));
+}

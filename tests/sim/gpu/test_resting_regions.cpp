@@ -232,3 +232,36 @@ TEST_CASE("kernels of a partial step that are run for a cache change no later st
     CHECK(after.displacement == other.download().displacement);
   }
 }
+
+TEST_CASE("regions rest beside tools that are far away as without them, and not beside those that touch", "[gpu]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  Gpu gpu(loads);
+  const Model model = two_stiff_bars();
+  Model with_ball = model;
+  Tool ball;
+  ball.name = "ball";
+  ball.shape = SphereShape{{0, 0, 0}, 0.02};
+  ball.path = {{0, {0.3, 0.8, 0.1}, {0, 0, 0}},
+               {5.9, {0.3, 0.8, 0.1}, {0, 0, 0}},
+               {6, {0.6, 0.0, 0.1}, {0, 0, 0}},
+               {6.1, {0.6, 0.0, 0.1}, {0, 0, 0}}};
+  with_ball.tools = {ball};
+  SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
+  GpuSolver alone(gpu.programs, model, settings), beside(gpu.programs, with_ball, settings);
+  const std::uint32_t tip = vertex_at(model, {0.6, 0.05, 0.05});
+  int partial = 0, touching = 0;
+  while (beside.time() < 6.2) {
+    const std::vector<GrabSpring> springs{{tip, {0, 0.05 * std::sin(12 * beside.time()), 0}, 500}};
+    if (beside.time() > 5) alone.set_grab(springs);
+    if (beside.time() > 5) beside.set_grab(springs);
+    alone.step();
+    beside.step();
+    partial += !beside.last_was_whole();
+    touching += beside.last_had_contact();
+    if (touching > 0) continue;
+    REQUIRE(beside.last_was_whole() == alone.last_was_whole());
+  }
+  CAPTURE(partial, touching);
+  CHECK(partial > 20);
+  CHECK(touching > 5);
+}

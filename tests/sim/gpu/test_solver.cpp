@@ -1,5 +1,5 @@
 // Properties of whole GPU steps: equilibrium, invariance, conservation, repeatability.
-// Covers: solver_step
+// Covers: solver_record, solver_step
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <thread>

@@ -66,4 +66,22 @@ TEST_CASE("springs are forces") {
   CHECK(StaticResidual(model)(initial_state(model), springs) == Approx(1));
 }
 
+TEST_CASE("what touches carries the weight") {
+  Model model = hanging();
+  model.fixed.clear();
+  Tool ground;
+  ground.name = "ground";
+  ground.shape = PlaneShape{{0, 0, 0}, {0, 1, 0}};
+  ground.friction = 0.5;
+  ground.path = {{}};
+  model.tools = {ground};
+  State state = initial_state(model);
+  NewtonSolver solver(model, {});
+  REQUIRE(solver.solve_static(state).converged);
+  const StaticResidual residual(model);
+  CAPTURE(residual(state, {}, solver.contact_forces()), residual(state));
+  CHECK(residual(state, {}, solver.contact_forces()) < 1e-8);
+  CHECK(residual(state) > 0.1);
+}
+
 }  // namespace fascia::reference

@@ -159,6 +159,7 @@ TEST_CASE("a led instrument wakes tissue that sleeps, and one at rest lets it sl
   REQUIRE(sleep());
   const LedTool up{"ball", {{kSide / 2, 0.2, kSide / 2}, {0, 0, 0}, 0}};
   simulation->lead(up);
+  simulation->step();
   CHECK_FALSE(simulation->asleep());
   CHECK(sleep());
   simulation->lead(up);  // where it is
