@@ -113,10 +113,12 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   };
   Vector3d normal, local;
   std::array<Vector3d, 3> corners;
-  const double from = gap_at(0, normal, local, corners), to = gap_at(1, normal, local, corners);
-  if (!std::isfinite(from) || !std::isfinite(to)) return;  // a triangle without area
+  const double from = gap_at(0, normal, local, corners);
+  if (!(from >= -kDeepest * edge_)) return;  // or a triangle without area
+  const double to = gap_at(1, normal, local, corners);
+  if (!std::isfinite(to)) return;
   const double way = way_of(v) + std::max({way_of(t[0]), way_of(t[1]), way_of(t[2])});
-  if (std::min(from, to) > skin_ + kMargin * (edge_ + way) || from < -kDeepest * edge_) return;
+  if (std::min(from, to) > skin_ + kMargin * (edge_ + way)) return;
   see_near({v, t[0], t[1], t[2]});
   const double share = from <= skin_ || to >= from ? 0 : std::min(1.0, (from - skin_) / (from - to));
   const double then = gap_at(share, normal, local, corners);
@@ -168,10 +170,12 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
     if (normal.dot(b0 + b1) < 0) normal = -normal;
     return normal.dot(p + crossing.s * along_a - q - crossing.t * along_b);
   };
-  const std::optional<double> to = gap_at(1), from = gap_at(0);
-  if (!from || !to) return;
+  const std::optional<double> from = gap_at(0);
+  if (!from || *from < -kDeepestCrossing * edge_) return;
+  const std::optional<double> to = gap_at(1);
+  if (!to) return;
   const double way = std::max(way_of(a.from), way_of(a.to)) + std::max(way_of(b.from), way_of(b.to));
-  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way) || *from < -kDeepestCrossing * edge_) return;
+  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way)) return;
   see_near({a.from, a.to, b.from, b.to});
   const double share = *from <= skin_ || *to >= *from ? 0 : std::min(1.0, (*from - skin_) / (*from - *to));
   const std::optional<double> then = gap_at(share);
