@@ -9,6 +9,7 @@
 #include "app/ui/style.h"
 #include "app/ui/units.h"
 #include "app/ui/widgets.h"
+#include "base/text.h"
 
 namespace fascia {
 namespace {
@@ -43,6 +44,20 @@ void hand_rows(const Tool& tool, const InstrumentState& state, Requests& request
       buttons.add("Let go (Esc)", "The instrument stays where it is, and the mouse grabs again");
 }
 
+void pair_rows(const Model& model, const std::vector<PairLoad>& loads) {
+  for (const PairLoad& load : loads) {
+    const auto& [a, b] = load.bodies;
+    if (load.pairs == 0) continue;
+    const std::string &first = model.bodies[a].name, &second = model.bodies[b].name;
+    const std::string on_second = "; their sum with friction on " + second +
+                                  ", x, y and z: " + components(load.force, "N") + ", and as much on " + first +
+                                  " the other way";
+    ui::fact((first + (a == b ? ", itself" : ", " + second)).c_str(), engineering(load.normal, "N"),
+             "Normal forces of tissue on tissue in the last step, whatever their directions, at " +
+                 plural(load.pairs, "place") + (a == b ? "" : on_second));
+  }
+}
+
 }  // namespace
 
 void instruments_panel(const PanelContext& context) {
@@ -70,6 +85,7 @@ void instruments_panel(const PanelContext& context) {
   for (std::size_t t = 0; t < std::min(first, loads.size()); ++t)
     ui::fact(tools[t].name.c_str(), engineering(loads[t].force.norm(), "N"),
              "Force on the tissue, x, y and z: " + components(loads[t].force, "N"));
+  if (const auto& d = context.state.statistics.diagnostics) pair_rows(simulation.model, d->pair_loads);
   if (!ui::section("Add")) return;
   constexpr std::size_t kInRow = 2;
   for (std::size_t i = 0; i < kInstrumentPresets.size(); i += kInRow) {

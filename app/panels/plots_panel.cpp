@@ -1,8 +1,10 @@
 // Curves over time: the chosen charts, one above the other.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,9 +36,22 @@ std::vector<TimeCurve> of_tools(const std::vector<Tool>& tools, Eigen::Vector3d 
   return curves;
 }
 
+// And between the bodies that pressed each other in the time shown.
+std::vector<TimeCurve> of_contact(const Model& model, std::span<const Sample> samples) {
+  std::vector<TimeCurve> curves = of_tools(model.tools, &ToolLoad::force);
+  for (const auto& bodies : touching_bodies(model)) {
+    const auto pressed = [&](const Sample& s) { return load_between(s.pairs, bodies).pairs > 0; };
+    if (std::none_of(samples.begin(), samples.end(), pressed)) continue;
+    const auto& [a, b] = bodies;
+    curves.push_back({model.bodies[a].name + (a == b ? ", itself" : ", " + model.bodies[b].name),
+                      [bodies](const Sample& s) { return load_between(s.pairs, bodies).normal; }});
+  }
+  return curves;
+}
+
 // All but the last one, Convergence, which is not over time. Contact and Torque are without curves where nothing can
 // touch.
-std::vector<TimeChart> charts_of(const std::vector<Tool>& tools) {
+std::vector<TimeChart> charts_of(const Model& model, std::span<const Sample> samples) {
   return {{"Energy",
            "J",
            false,
@@ -50,7 +65,7 @@ std::vector<TimeChart> charts_of(const std::vector<Tool>& tools) {
            false,
            {{"grab", [](const Sample& s) { return s.grab.norm(); }},
             {"supports", [](const Sample& s) { return s.reaction.norm(); }}}},
-          {"Contact", "N", false, of_tools(tools, &ToolLoad::force)},
+          {"Contact", "N", false, of_contact(model, samples)},
           {"Displacement",
            "m",
            false,
@@ -58,7 +73,7 @@ std::vector<TimeChart> charts_of(const std::vector<Tool>& tools) {
             {"y", [](const Sample& s) { return s.probe.y(); }},
             {"z", [](const Sample& s) { return s.probe.z(); }},
             {"length", [](const Sample& s) { return s.probe.norm(); }}}},
-          {"Torque", "Nm", false, of_tools(tools, &ToolLoad::torque)},
+          {"Torque", "Nm", false, of_tools(model.tools, &ToolLoad::torque)},
           {"Residual", "", true, {{"", [](const Sample& s) { return s.residual; }}}},
           {"Iterations", "", false, {{"", [](const Sample& s) { return s.iterations; }}}},
           {"Clock",
@@ -73,7 +88,8 @@ const char* const kChartHelp[] = {
     "the time step reduces the sum",
     "Volume of all tissue, over its volume at rest",
     "Forces of the mouse and of the supports on the tissue",
-    "Force of each instrument, of obstacles and of the ground on the tissue, of single steps",
+    "Force of each instrument, of obstacles and of the ground on the tissue, and the normal forces of bodies on each "
+    "other, of single steps",
     "Displacement of the point marked in the picture: at first the point farthest from the supports",
     "Torque of these forces about the origin of each",
     "Relative residual of each step: 0 is an exact solution, 1 is the residual of the start",
@@ -204,7 +220,8 @@ void draw_plots(const Simulation& simulation, WindowState& state, Requests& requ
     plots.left = corner.x, plots.top = corner.y, plots.width = size.x, plots.height = size.y;
     const bool flat = size.y < ui::px(kFlat);
     buttons(plots, requests, flat ? 6 : 5);
-    const std::vector<TimeChart> charts = charts_of(simulation.model.tools);
+    const std::vector<TimeChart> charts =
+        charts_of(simulation.model, plots.history.between(plots.right_edge() - plots.span, plots.right_edge()));
     choose_charts(charts, plots, flat);
     if (!plots.measured.empty() && !state.comparing) fit_rows(simulation, plots.fit, requests);
     plots.charts_top = ImGui::GetCursorScreenPos().y - 0.5f * ImGui::GetStyle().ItemSpacing.y;

@@ -122,7 +122,10 @@ void Window::finish(double wall_s) {
   RunStats& stats = stepping_.stats();
   stats.wall_s = wall_s;
   stats.residual = observer_.residual();
-  if (const auto& last = observer_.of_open_session()) stats.tool_loads = last->tool_loads;
+  if (const auto& last = observer_.of_open_session()) {
+    stats.tool_loads = last->tool_loads;
+    stats.pair_loads = last->pair_loads;
+  }
   stats.renderer = stage_.session->renderer_description();
   stats.provenance = stage_.provenance();
   stats.solve_ms = stats.step_ms;

@@ -6,6 +6,8 @@
 namespace fascia {
 namespace {
 
+using Eigen::AlignedBox3d;
+
 constexpr std::uint32_t kLeaf = 4;
 
 }  // namespace
@@ -17,9 +19,9 @@ BoxTree::BoxTree(const std::vector<Eigen::Vector3d>& middles) : things_(middles.
 
 void BoxTree::build(const std::vector<Eigen::Vector3d>& middles, std::uint32_t begin, std::uint32_t end) {
   const std::size_t place = nodes_.size();
-  nodes_.push_back({{}, begin, end, 0});
+  nodes_.push_back({{}, {}, begin, end, 0});
   if (end - begin <= kLeaf) return;
-  Eigen::AlignedBox3d box;
+  AlignedBox3d box;
   for (std::uint32_t k = begin; k < end; ++k) box.extend(middles[things_[k]]);
   Eigen::Index longest = 0;
   box.sizes().maxCoeff(&longest);
@@ -34,7 +36,7 @@ void BoxTree::build(const std::vector<Eigen::Vector3d>& middles, std::uint32_t b
   build(middles, middle, end);
 }
 
-void BoxTree::fit(const std::vector<Eigen::AlignedBox3d>& boxes) {
+void BoxTree::fit(const std::vector<AlignedBox3d>& boxes, const std::vector<AlignedBox3d>& facings) {
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     node.box.setEmpty();
@@ -42,6 +44,12 @@ void BoxTree::fit(const std::vector<Eigen::AlignedBox3d>& boxes) {
       for (std::uint32_t k = node.begin; k < node.end; ++k) node.box.extend(boxes[things_[k]]);
     else
       node.box.extend(nodes_[i + 1].box).extend(nodes_[node.right].box);
+    if (facings.empty()) continue;
+    node.facing.setEmpty();
+    if (node.right == 0)
+      for (std::uint32_t k = node.begin; k < node.end; ++k) node.facing.extend(facings[things_[k]]);
+    else
+      node.facing.extend(nodes_[i + 1].facing).extend(nodes_[node.right].facing);
   }
 }
 

@@ -17,6 +17,9 @@ using Eigen::Vector3d;
 constexpr double kDeepest = 1;  // behind a face a vertex is farther from, it is not what the vertex went through
 constexpr double kDeepestCrossing = 0.25;
 
+// Of the skin: by how much nearer another pair must be to take the slot of one that pressed.
+constexpr double kKept = 0.25;
+
 // Of barycentric coordinates: along a convex edge between two faces a vertex is above neither. And more of those that
 // pressed, and as the sine of an angle for edges: a surface that is pressed flat would let go of what presses it flat.
 constexpr double kBeside = 0.05;
@@ -67,19 +70,33 @@ void PairSearch::offer(const Candidate& candidate) {
 }
 
 // Of crossing edges the deepest come first, since any of them may be what holds the surfaces apart. A pair is
-// remembered by either of its edges.
+// remembered by either of its edges. A slot that remembers one of the crossings is left to it; of the others, one whose
+// crossing is gone comes first, since that has slid to the new one.
 void PairSearch::choose_crossings() {
   std::sort(crossings_.begin(), crossings_.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tuple(a.distance, a.row.slot, a.second) < std::tuple(b.distance, b.row.slot, b.second);
+    return std::tuple(a.distance, a.first, a.second) < std::tuple(b.distance, b.first, b.second);
   });
-  for (Candidate& crossing : crossings_)
-    for (const std::uint32_t edge : {crossing.row.slot, crossing.second})
-      if (std::uint32_t& holder = holder_[slot_of_edge(edge)]; holder == kNone) {
-        holder = static_cast<std::uint32_t>(rows_.size());
-        rows_.push_back(crossing.row);
-        rows_.back().slot = slot_of_edge(edge);
-        break;
-      }
+  claimed_.assign(slot_count_, 0);
+  for (const Candidate& crossing : crossings_)
+    if (crossing.kept != kNone) claimed_[crossing.kept] = 1;
+  for (Candidate& crossing : crossings_) {
+    std::uint32_t chosen = kNone;
+    int rank = 3;
+    const auto consider = [&](std::uint32_t slot) {
+      const int its = slot == crossing.kept ? -1 : claimed_[slot] ? 2 : pressed_[slot] ? 0 : 1;
+      if (holder_[slot] != kNone || its >= rank) return;
+      chosen = slot;
+      rank = its;
+    };
+    for (const std::uint32_t edge : {crossing.first, crossing.second})
+      for (std::uint32_t k = 0; k < kEdgeSlots; ++k) consider(first_slot_of_edge(edge) + k);
+    if (chosen == kNone) continue;
+    holder_[chosen] = static_cast<std::uint32_t>(rows_.size());
+    crossing.row.slot = chosen;
+    const std::uint32_t own = (chosen - first_slot_of_edge(0)) / kEdgeSlots;
+    crossing.row.met = 1 + (own == crossing.first ? crossing.second : crossing.first);
+    rows_.push_back(crossing.row);
+  }
 }
 
 void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t triangle) {
@@ -96,10 +113,12 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   };
   Vector3d normal, local;
   std::array<Vector3d, 3> corners;
-  const double from = gap_at(0, normal, local, corners), to = gap_at(1, normal, local, corners);
-  if (!std::isfinite(from) || !std::isfinite(to)) return;  // a triangle without area
+  const double from = gap_at(0, normal, local, corners);
+  if (!(from >= -kDeepest * edge_)) return;  // or a triangle without area
+  const double to = gap_at(1, normal, local, corners);
+  if (!std::isfinite(to)) return;
   const double way = way_of(v) + std::max({way_of(t[0]), way_of(t[1]), way_of(t[2])});
-  if (std::min(from, to) > skin_ + kMargin * (edge_ + way) || from < -kDeepest * edge_) return;
+  if (std::min(from, to) > skin_ + kMargin * (edge_ + way)) return;
   see_near({v, t[0], t[1], t[2]});
   const double share = from <= skin_ || to >= from ? 0 : std::min(1.0, (from - skin_) / (from - to));
   const double then = gap_at(share, normal, local, corners);
@@ -126,7 +145,8 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   row.stiffness = penalty_ * areas_[v] / softness;
   row.slot = slot;
   row.bodies = {body, other};
-  candidate.distance = std::abs(then) + std::max(0.0, -least) * edge_;
+  row.met = triangle + 1;
+  candidate.distance = std::abs(then) + std::max(0.0, -least) * edge_ - (remembers(slot, triangle) ? kKept * skin_ : 0);
   offer(candidate);
 }
 
@@ -136,7 +156,7 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
   if (held_[a.from] && held_[a.to] && held_[b.from] && held_[b.to]) return;
   const Vector3d &a0 = normals_[a.sides[0]], &a1 = normals_[a.sides[1]], &b0 = normals_[b.sides[0]],
                  &b1 = normals_[b.sides[1]];
-  if ((a0 + a1).dot(b0 + b1) >= 0) return;
+  if (normal_sum(a).dot(normal_sum(b)) >= 0) return;
   // n points from the second to the first.
   Vector3d normal;
   Crossing crossing;
@@ -150,14 +170,16 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
     if (normal.dot(b0 + b1) < 0) normal = -normal;
     return normal.dot(p + crossing.s * along_a - q - crossing.t * along_b);
   };
-  const std::optional<double> to = gap_at(1), from = gap_at(0);
-  if (!from || !to) return;
+  const std::optional<double> from = gap_at(0);
+  if (!from || *from < -kDeepestCrossing * edge_) return;
+  const std::optional<double> to = gap_at(1);
+  if (!to) return;
   const double way = std::max(way_of(a.from), way_of(a.to)) + std::max(way_of(b.from), way_of(b.to));
-  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way) || *from < -kDeepestCrossing * edge_) return;
+  if (std::min(*from, *to) > skin_ + kMargin * (edge_ + way)) return;
   see_near({a.from, a.to, b.from, b.to});
   const double share = *from <= skin_ || *to >= *from ? 0 : std::min(1.0, (*from - skin_) / (*from - *to));
   const std::optional<double> then = gap_at(share);
-  const bool pressed = pressed_[slot_of_edge(first)] || pressed_[slot_of_edge(second)];
+  const bool pressed = edge_pressed(first) || edge_pressed(second);
   const double beside = pressed ? kBesidePressed : 0;
   if (!then || std::min({crossing.s, 1 - crossing.s, crossing.t, 1 - crossing.t}) < -beside) return;
   const double slack = pressed ? kTiltPressed : 0;
@@ -178,10 +200,15 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
   const double softness = (1 - crossing.s) * softness_[a.from] + crossing.s * softness_[a.to] +
                           (1 - crossing.t) * softness_[b.from] + crossing.t * softness_[b.to];
   row.stiffness = penalty_ * (a.area + b.area) / 6 / softness;
-  row.slot = first;
   row.bodies = {body, other};
   candidate.distance = *then;
+  candidate.first = first;
   candidate.second = second;
+  for (std::uint32_t k = 0; k < kEdgeSlots; ++k) {
+    if (remembers(first_slot_of_edge(first) + k, second)) candidate.kept = first_slot_of_edge(first) + k;
+    if (remembers(first_slot_of_edge(second) + k, first)) candidate.kept = first_slot_of_edge(second) + k;
+  }
+  if (candidate.kept != kNone) candidate.distance -= kKept * skin_;
   crossings_.push_back(candidate);
 }
 
@@ -191,7 +218,8 @@ void PairSearch::look_at_vertex(std::size_t index, std::uint32_t body) {
   box.extend(end_[v]);
   const double reach = std::max(kDeepest * edge_, skin_ + kMargin * (edge_ + way_of(v)));
   box.extend(Vector3d(box.min().array() - reach)).extend(Vector3d(box.max().array() + reach));
-  trees_[body].tree.for_overlaps(box, [&](std::uint32_t k) { try_vertex(v, index, trees_[body].triangles[k]); });
+  trees_[body].tree.for_opposed(box, vertex_normals_[v],
+                                [&](std::uint32_t k) { try_vertex(v, index, trees_[body].triangles[k]); });
 }
 
 void PairSearch::look_at_edge(std::uint32_t e, std::uint32_t body) {
@@ -200,7 +228,7 @@ void PairSearch::look_at_edge(std::uint32_t e, std::uint32_t body) {
   box.extend(end_[edge.from]).extend(start_[edge.to]).extend(end_[edge.to]);
   const double reach = skin_ + kMargin * (edge_ + std::max(way_of(edge.from), way_of(edge.to)));
   box.extend(Vector3d(box.min().array() - reach)).extend(Vector3d(box.max().array() + reach));
-  trees_[body].tree.for_overlaps(box, [&](std::uint32_t k) {
+  trees_[body].tree.for_opposed(box, normal_sum(edge), [&](std::uint32_t k) {
     const std::uint32_t triangle = trees_[body].triangles[k];
     for (const std::uint32_t other : sides_[triangle])
       // An edge is met from either of its sides, and two of one body from either edge.

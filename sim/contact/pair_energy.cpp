@@ -9,13 +9,13 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 PairEnergy::PairEnergy(const Model& model, std::vector<PairRow> rows, const ContactMemory& memory,
-                       std::uint32_t first_slot)
-    : model_(model), friction_(model.contact.friction), first_slot_(first_slot), rows_(std::move(rows)) {
+                       std::uint32_t first_row)
+    : model_(model), friction_(model.contact.friction), first_row_(first_row), rows_(std::move(rows)) {
   before_.resize(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const std::size_t slot = first_slot_ + rows_[i].slot;
-    if (slot >= memory.size()) continue;
-    before_[i] = memory[slot];
+    const std::size_t row = first_row_ + force_row(rows_[i].slot);
+    if (row >= memory.size()) continue;
+    before_[i] = memory[row];
     before_[i].friction -= before_[i].friction.dot(rows_[i].normal) * rows_[i].normal;
   }
 }
@@ -78,9 +78,10 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
 void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Contact contact = contact_of(i, u);
-    ContactForce& force = memory[first_slot_ + rows_[i].slot];
+    ContactForce& force = memory[first_row_ + force_row(rows_[i].slot)];
     force.normal = contact.pressing;
     force.friction = within(contact.tangential, friction_ * contact.pressing);
+    met_in(memory[first_row_ + met_row(rows_[i].slot)], rows_[i].slot) = rows_[i].met;
   }
 }
 
@@ -89,21 +90,37 @@ std::vector<PairLoad> PairEnergy::loads(const VectorXd& u) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Contact contact = contact_of(i, u);
     if (contact.pressing > 0 || before_[i].normal > 0)
-      add_load(loads, rows_[i], force_of(i, contact), contact.pressing > 0, contact.depth);
+      add_load(loads, rows_[i], force_of(i, contact), contact.pressing, contact.depth);
   }
   return loads;
 }
 
-void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Vector3d& force, bool presses, double depth) {
+void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Vector3d& force, double pressing, double depth) {
   const bool ascends = row.bodies[0] <= row.bodies[1];
   const std::array<std::uint32_t, 2> bodies{row.bodies[ascends ? 0 : 1], row.bodies[ascends ? 1 : 0]};
   const auto place = std::lower_bound(loads.begin(), loads.end(), bodies,
                                       [](const PairLoad& load, const auto& wanted) { return load.bodies < wanted; });
   PairLoad& load = place != loads.end() && place->bodies == bodies ? *place : *loads.insert(place, PairLoad{bodies});
   if (bodies[0] != bodies[1]) load.force += ascends ? -force : force;
-  if (!presses) return;
+  if (pressing <= 0) return;
+  load.normal += pressing;
   ++load.pairs;
   load.deepest = std::max(load.deepest, depth);
+}
+
+PairLoad load_between(const std::vector<PairLoad>& loads, const std::array<std::uint32_t, 2>& bodies) {
+  const auto found =
+      std::find_if(loads.begin(), loads.end(), [&](const PairLoad& load) { return load.bodies == bodies; });
+  return found != loads.end() ? *found : PairLoad{bodies};
+}
+
+std::vector<std::array<std::uint32_t, 2>> touching_bodies(const Model& model) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  const auto count = static_cast<std::uint32_t>(model.bodies.size());
+  for (std::uint32_t a = 0; a < count; ++a)
+    for (std::uint32_t b = a; b < count; ++b)
+      if (a == b ? model.contact.self : model.contact.bodies) pairs.push_back({a, b});
+  return pairs;
 }
 
 }  // namespace fascia

@@ -14,15 +14,16 @@ namespace fascia {
 /// The force of one body on another at the end of a step.
 struct PairLoad {
   std::array<std::uint32_t, 2> bodies{};  // in Model::bodies, ascending; the same twice: a body on itself
-  Eigen::Vector3d force{0, 0, 0};         // [N] on the second; of a body on itself the sum is 0
+  Eigen::Vector3d force{0, 0, 0};         // [N] on the second, -force on the first; of a body on itself the sum is 0
+  double normal = 0;                      // [N] sum of the normal forces of all pairs, whatever their directions
   std::uint32_t pairs = 0;                // that press
   double deepest = 0;                     // [m] of them within the skin, at least 0
 };
 
 class PairEnergy {
  public:
-  /// `memory`: of all contact; those of pairs from `first_slot` on. Shorter: no forces.
-  PairEnergy(const Model& model, std::vector<PairRow> rows, const ContactMemory& memory, std::uint32_t first_slot);
+  /// `memory`: of all contact; that of pairs from `first_row` on. Shorter: no forces.
+  PairEnergy(const Model& model, std::vector<PairRow> rows, const ContactMemory& memory, std::uint32_t first_row);
 
   double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) const;
   std::vector<ContactBlock> blocks(const Eigen::VectorXd& u) const;  // of the Hessian, which is semidefinite
@@ -40,13 +41,17 @@ class PairEnergy {
 
   const Model& model_;
   double friction_;
-  std::uint32_t first_slot_;
+  std::uint32_t first_row_;
   std::vector<PairRow> rows_;
   std::vector<ContactForce> before_;  // [rows] lambda and t, across the normal
 };
 
-/// Adds the force of a pair on the side of its normal to the load of its bodies.
-void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Eigen::Vector3d& force, bool presses,
+/// Adds the force of a pair on the side of its normal, of which `pressing` [N] is normal, to the load of its bodies.
+void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Eigen::Vector3d& force, double pressing,
               double depth);
+/// The load of two bodies, ascending; without forces if they are not among `loads`.
+PairLoad load_between(const std::vector<PairLoad>& loads, const std::array<std::uint32_t, 2>& bodies);
+/// Ascending pairs of bodies that may touch each other; a body that may touch itself is a pair with itself.
+std::vector<std::array<std::uint32_t, 2>> touching_bodies(const Model& model);
 
 }  // namespace fascia

@@ -148,7 +148,7 @@ bool PairSearch::misses(const std::vector<Vector3d>& end) {
   for (const std::uint32_t v : vertices_) end_[v] = rest_[v] + end[v];
   for (std::size_t i = 0; i < triangles_.size(); ++i)
     for (const std::uint32_t v : triangles_[i]) boxes[i].extend(end_[v]);
-  fit_trees(boxes);
+  fit_trees(boxes, {});
   bool changed = false;
   raised_.assign(slot_count_, 0);
   for (const PairRow& row : rows_) {

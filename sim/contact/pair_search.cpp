@@ -49,7 +49,7 @@ PairSearch::PairSearch(const Model& model) : self_(model.contact.self), bodies_(
     tree.tree = BoxTree(middles);
   }
   body_slots_ = std::min(kBodySlots, static_cast<std::uint32_t>(model.bodies.size()));
-  first_guard_ = static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + static_cast<std::uint32_t>(edges_.size());
+  first_guard_ = first_slot_of_edge(static_cast<std::uint32_t>(edges_.size()));
   slot_count_ = first_guard_ + static_cast<std::uint32_t>(vertices_.size() + edges_.size());
   materials_changed(model);
 }
@@ -82,21 +82,37 @@ void PairSearch::place() {
     const Triangle& first = triangles_[edge.sides[0]];
     const std::uint32_t opposite = first[0] + first[1] + first[2] - edge.from - edge.to;
     const Vector3d &a = normals_[edge.sides[0]], &b = normals_[edge.sides[1]];
-    if (pressed_[slot_of_edge(static_cast<std::uint32_t>(e))]) {
+    if (edge_pressed(static_cast<std::uint32_t>(e))) {
       convex_[e] = 1;
       continue;
     }
     convex_[e] = a.cross(b).squaredNorm() > kSharp * kSharp && b.dot(start_[opposite] - start_[edge.from]) < 0;
   }
-  fit_trees(boxes);
+  for (std::uint32_t slot = first_slot_of_edge(0); slot < first_guard_; ++slot)
+    if (pressed_[slot] && met_[slot] > 0 && met_[slot] <= edges_.size())
+      convex_[met_[slot] - 1] = edges_[met_[slot] - 1].sides[1] != TissueEdge::kNoSide;
+  fit_trees(boxes, facings());
 }
 
-void PairSearch::fit_trees(const std::vector<AlignedBox3d>& boxes) {
+// Around the normal of each triangle, and around those at the edges that are met from it.
+std::vector<AlignedBox3d> PairSearch::facings() const {
+  std::vector<AlignedBox3d> facings;
+  facings.reserve(triangles_.size());
+  for (const Vector3d& normal : normals_) facings.emplace_back(normal);
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    if (convex_[e]) facings[edges_[e].sides[0]].extend(normal_sum(edges_[e]));
+  return facings;
+}
+
+void PairSearch::fit_trees(const std::vector<AlignedBox3d>& boxes, const std::vector<AlignedBox3d>& facings) {
+  std::vector<AlignedBox3d> own, own_facings;
   for (BodyTree& tree : trees_) {
-    std::vector<AlignedBox3d> own;
-    own.reserve(tree.triangles.size());
+    own.clear();
+    own_facings.clear();
     for (const std::uint32_t t : tree.triangles) own.push_back(boxes[t]);
-    tree.tree.fit(own);
+    for (std::size_t k = 0; k < tree.triangles.size() && !facings.empty(); ++k)
+      own_facings.push_back(facings[tree.triangles[k]]);
+    tree.tree.fit(own, own_facings);
   }
 }
 
@@ -104,10 +120,14 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
                                       std::span<const ContactForce> before) {
   if (empty()) return {};
   normal_.assign(slot_count_, 0);
-  for (std::size_t slot = 0; slot < std::min<std::size_t>(slot_count_, before.size()); ++slot)
-    normal_[slot] = before[slot].normal;
   pressed_.assign(slot_count_, 0);
-  for (std::size_t slot = 0; slot < slot_count_; ++slot) pressed_[slot] = normal_[slot] > 0;
+  met_.assign(slot_count_, 0);
+  for (std::uint32_t slot = 0; slot < slot_count_ && met_row(slot) < before.size(); ++slot) {
+    normal_[slot] = before[force_row(slot)].normal;
+    pressed_[slot] = normal_[slot] > 0;
+    ContactForce met = before[met_row(slot)];
+    met_[slot] = static_cast<std::uint32_t>(std::clamp(met_in(met, slot), 0.0, 1e9));
+  }
   start_.resize(rest_.size());
   end_.resize(rest_.size());
   for (const std::uint32_t v : vertices_) {

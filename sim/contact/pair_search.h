@@ -7,8 +7,10 @@
 // normals cross. Gap, normal and weights are those of the moment within the step at which the pair would touch if all
 // vertices moved on straight; they stay constant within the step, which so has one smooth energy.
 //
-// Each vertex remembers a force for every other body (up to kBodySlots), and each edge for one other edge: pairs that
-// slide along a surface keep their force. Of several pairs for one slot the nearest is taken.
+// Each vertex remembers a force for every other body (up to kBodySlots), and each edge for two other edges: pairs that
+// slide along a surface keep their force. Of several pairs for one slot the nearest is taken, and of several that are
+// almost equally near the one that pressed in the step before. Without that, two pairs take the slot in turn: each is
+// pressed out while it holds the slot, and starts without a force, friction above all, in every other step.
 //
 // Normals say little where tissue is creased. What a solution of the step leads through each other all the same is
 // found by continuous collision detection and guarded: a pair with the normal that it went through by, whatever the
@@ -31,6 +33,7 @@ namespace fascia {
 class PairSearch {
  public:
   static constexpr std::uint32_t kBodySlots = 4;
+  static constexpr std::uint32_t kEdgeSlots = 2;
 
   /// Empty if no tissue of the model touches tissue.
   explicit PairSearch(const Model& model);
@@ -38,11 +41,12 @@ class PairSearch {
 
   bool empty() const { return slot_count_ == 0; }
   std::uint32_t slot_count() const { return slot_count_; }
+  std::uint32_t row_count() const { return memory_rows(slot_count_); }  // of the memory (sim/contact/pair_row.h)
   bool sees_near() const { return std::find(near_.begin(), near_.end(), 1) != near_.end(); }  // after find()
   double skin() const { return skin_; }  // [m] the gap that is left between surfaces
 
   /// The pairs of a step, by ascending slot. `start` and `end`: displacements [vertex_count] at the start, and where
-  /// velocities lead [m]; `before` [slot]: the forces that the step before left.
+  /// velocities lead [m]; `before` [row_count]: the memory that the step before left.
   std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
                             std::span<const ContactForce> before);
 
@@ -56,12 +60,13 @@ class PairSearch {
   static constexpr int kMostSearches = 12;
 
  private:
+  static constexpr std::uint32_t kNone = ~0u;
   struct Candidate {
     PairRow row;
-    double distance = 0;       // by which the pairs of a slot are compared: the least one takes it [m]
-    std::uint32_t second = 0;  // of two edges
+    double distance = 0;                  // by which the pairs of a slot are compared: the least one takes it [m]
+    std::uint32_t first = 0, second = 0;  // of two edges
+    std::uint32_t kept = kNone;           // the slot that remembers these two
   };
-  static constexpr std::uint32_t kNone = ~0u;
   static constexpr double kMargin = 0.25;  // of the mean edge: pairs this much farther than the skin may touch by what
                                            // forces do in the step
   struct Crossing {
@@ -96,13 +101,22 @@ class PairSearch {
   void try_edges(std::uint32_t first, std::uint32_t second);
   bool may_touch(std::uint32_t a, std::uint32_t b) const { return a == b ? self_ : bodies_; }
   Eigen::Vector3d along(const TissueEdge& edge) const;
-  std::uint32_t slot_of_edge(std::uint32_t edge) const {
-    return static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + edge;
+  std::uint32_t first_slot_of_edge(std::uint32_t edge) const {
+    return static_cast<std::uint32_t>(vertices_.size()) * body_slots_ + edge * kEdgeSlots;
+  }
+  bool edge_pressed(std::uint32_t edge) const {
+    const auto first = pressed_.begin() + first_slot_of_edge(edge);
+    return std::find(first, first + kEdgeSlots, 1) != first + kEdgeSlots;
+  }
+  bool remembers(std::uint32_t slot, std::uint32_t feature) const {
+    return pressed_[slot] && met_[slot] == feature + 1;
   }
   void see_near(std::initializer_list<std::uint32_t> vertices) {
     for (const std::uint32_t v : vertices) near_[v] = 1;
   }
-  void fit_trees(const std::vector<Eigen::AlignedBox3d>& boxes);
+  void fit_trees(const std::vector<Eigen::AlignedBox3d>& boxes, const std::vector<Eigen::AlignedBox3d>& facings);
+  std::vector<Eigen::AlignedBox3d> facings() const;  // [triangle]
+  Eigen::Vector3d normal_sum(const TissueEdge& edge) const { return normals_[edge.sides[0]] + normals_[edge.sides[1]]; }
   double way_of(std::uint32_t v) const { return (end_[v] - start_[v]).norm(); }
 
   bool self_ = false, bodies_ = false;
@@ -130,6 +144,7 @@ class PairSearch {
   std::vector<char> convex_;                     // [edge] or pressed
   std::vector<char> near_;                       // [vertex_count] to other surface
   std::vector<char> pressed_;                    // [slot] in the step before
+  std::vector<std::uint32_t> met_;               // [slot] PairRow::met of the step before
   std::vector<double> normal_;                   // [slot] force that pairs start with [N]
   std::vector<PairRow> guards_;
   std::vector<char> raised_;  // [slot] since the last search
@@ -137,6 +152,7 @@ class PairSearch {
   std::vector<Candidate> crossings_;   // of edges
   std::vector<double> cost_;           // [slot] of the pair that holds it
   std::vector<std::uint32_t> holder_;  // [slot] in rows_, or none
+  std::vector<char> claimed_;          // [slot] by a crossing that it remembers
 };
 
 }  // namespace fascia

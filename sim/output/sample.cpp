@@ -74,6 +74,7 @@ Sample sample_of(const Diagnostics& d) {
   s.reaction = d.reaction;
   s.grab = d.grab_force;
   s.tools = d.tool_loads;
+  s.pairs = d.pair_loads;
   if (d.probe) s.probe = *d.probe;
   s.residual = d.residual;
   if (d.iterations) s.iterations = *d.iterations;
@@ -145,6 +146,14 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
   for (const Tool& tool : model.tools)
     for (const char* value : {"_x_N", "_y_N", "_z_N", "_deepest_m", "_torque_x_Nm", "_torque_y_Nm", "_torque_z_Nm"})
       out.add(",contact_").add(column_name(tool.name)).add(value);
+  const std::vector<std::array<std::uint32_t, 2>> pairs = touching_bodies(model);
+  for (const auto& [a, b] : pairs) {
+    const std::string column =
+        ",contact_" + column_name(model.bodies[a].name) + "_" + column_name(model.bodies[b].name);
+    for (const char* value : {"_x_N", "_y_N", "_z_N"})
+      if (a != b) out.add(column).add(value);
+    for (const char* value : {"_normal_N", "_deepest_m"}) out.add(column).add(value);
+  }
   out.add('\n');
   const auto add_cell = [&](double value) {
     if (std::isfinite(value)) out.add(value);
@@ -165,6 +174,16 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
         out.add(',');
         add_cell(value);
       }
+    for (const auto& pair : pairs) {
+      const PairLoad load = load_between(sample.pairs, pair);
+      const auto add_value = [&](double value) {
+        out.add(',');
+        add_cell(value);
+      };
+      for (int k = 0; k < 3 && pair[0] != pair[1]; ++k) add_value(load.force[k]);
+      add_value(load.normal);
+      add_value(load.deepest);
+    }
     out.add('\n');
   }
   write_file(path, out.take());

@@ -25,6 +25,7 @@ struct Sample {
   Eigen::Vector3d momentum{0, 0, 0}, reaction{0, 0, 0}, grab{0, 0, 0};  // [kg m/s], [N], [N]; forces on the body
   std::vector<reference::Support> supports;  // of scenes in which some are moved; the sum of their forces is `reaction`
   std::vector<ToolLoad> tools;               // of each tool of the model
+  std::vector<PairLoad> pairs;               // of the bodies that touch
   Eigen::Vector3d probe{kUnknown, kUnknown, kUnknown};  // displacement of the tracked vertex [m]
   double residual = kUnknown, iterations = kUnknown;    // of the last step; iterations per substep
   double step_ms = kUnknown, frame_ms = kUnknown;       // of one step, of one frame
@@ -46,7 +47,8 @@ Diagnostics diagnostics_by_reference(const Simulation& simulation);
 Sample sample_now(Simulation& simulation, std::uint32_t probe);
 
 /// Writes notes as lines "# keyword: text", the column names, and a row per sample: the shortest digits that read back
-/// to the same number, an empty cell for unknown values. All samples have the same supports and tools. Throws Error.
+/// to the same number, an empty cell for unknown values. All samples have the same supports and tools; there are
+/// columns for all bodies that may touch. Throws Error.
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model,
                    const Provenance& provenance, std::uint32_t probe);
 

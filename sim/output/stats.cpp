@@ -27,15 +27,17 @@ Json contact_forces(const Model& model, const std::vector<ToolLoad>& loads) {
   return contact;
 }
 
-Json tissue_contact(const Model& model, const std::vector<PairLoad>& loads, const State& last) {
+Json tissue_contact(const Model& model, const RunStats& stats, const State& last) {
   Json between = Json::array();
-  for (const PairLoad& load : loads)
+  for (const PairLoad& load : stats.pair_loads)
     between.push_back({{"bodies", {model.bodies[load.bodies[0]].name, model.bodies[load.bodies[1]].name}},
                        {"force_N", to_json(load.force)},
+                       {"normal_N", load.normal},
                        {"points", load.pairs},
                        {"deepest_m", load.deepest}});
   return {{"skin_m", PairSearch(model).skin()},
           {"between", between},
+          {"search_ms_per_step", stats.steps > 0 ? stats.pair_search_ms / static_cast<double>(stats.steps) : 0},
           {"penetrating_triangles", penetrating_triangles(model, last.displacement)}};
 }
 
@@ -92,6 +94,7 @@ void count_work(RunStats& stats, Simulation& simulation) {
   stats.kernels = simulation.programs()->size();
   stats.gpu_bytes = gl::allocated_bytes();
   stats.gpu_buffers = gl::bytes_by_buffer();
+  stats.pair_search_ms = simulation.gpu()->pair_search_ms();
 }
 
 void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,
@@ -139,8 +142,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
     json["bytes_per_iteration"] = gpu->bytes_per_iteration();
   }
   if (!stats.tool_loads.empty()) json["contact"] = contact_forces(simulation.model, stats.tool_loads);
-  if (simulation.model.touches_tissue())
-    json["tissue_contact"] = tissue_contact(simulation.model, stats.pair_loads, last);
+  if (simulation.model.touches_tissue()) json["tissue_contact"] = tissue_contact(simulation.model, stats, last);
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   if (stats.errors) json["errors"] = to_json(*stats.errors);

@@ -81,7 +81,7 @@ struct NewtonSolver::Impl {
   std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const std::vector<Vector3d>& end,
                                                     const std::vector<double>& stiffness, const ToolMotion& motion,
                                                     ContactMemory& memory, bool moves = false) {
-    memory.resize(contact.row_count + pairs.slot_count());
+    memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
                                            pairs.find(vectors_of(start), end, before),
@@ -92,7 +92,7 @@ struct NewtonSolver::Impl {
                                                      const ToolMotion& motion, const std::vector<Vector3d>& aim,
                                                      ContactMemory& memory) {
     std::vector<PairRow> rows = pairs.find_again();
-    for (const PairRow& row : rows) memory[contact.row_count + row.slot].normal = row.before;
+    for (const PairRow& row : rows) memory[contact.row_count + force_row(row.slot)].normal = row.before;
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion, std::move(rows), aim);
   }
   void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
@@ -241,6 +241,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     read_out(potential.contact, u);
     double change = 0, largest = 0;
     for (std::size_t row = 0; row < memory.size(); ++row) {
+      if (row >= contact.row_count && (row - contact.row_count) % 5 == 4) continue;  // what pairs met
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
       change =
           std::max({change, std::abs(memory[row].normal - old.normal), (memory[row].friction - old.friction).norm()});

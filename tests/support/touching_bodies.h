@@ -1,5 +1,8 @@
 // Models of bodies that may touch each other.
 #pragma once
+#include <Eigen/Geometry>
+#include <cmath>
+
 #include "tests/support/models.h"
 
 namespace fascia::test {
@@ -53,6 +56,31 @@ inline Model moved(Model model, const Eigen::Vector3d& way, const Eigen::Vector3
   for (Eigen::Vector3d& v : model.initial_velocity) v += velocity;
   model.file_mesh.positions = model.rest_positions;
   return model;
+}
+
+/// A cube of 0.1 m on a slab that is held from below, both on a slope down -x whose tangent is `slope`: gravity is
+/// turned, not the bodies. Their meshes do not meet, and the cube is turned about y.
+inline Model cube_on_slope(double slope, double friction, const Material& material) {
+  const Model slab =
+      make_model(make_box(10, 2, 5, {0.5, 0.1, 0.25}), material, [](const Eigen::Vector3d& x) { return x.y() < 1e-9; });
+  Model cube = make_model(make_box(3, 3, 3, {0.1, 0.1, 0.1}), material, [](const Eigen::Vector3d&) { return false; });
+  const Eigen::Vector3d middle(0.05, 0, 0.05);
+  const Eigen::Matrix3d turn(Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitY()));
+  for (Eigen::Vector3d& x : cube.rest_positions) x = turn * (x - middle) + Eigen::Vector3d(0.37, 0.103, 0.125);
+  cube.file_mesh.positions = cube.rest_positions;
+  Model model = beside(slab, cube, "cube");
+  model.gravity = 9.81 / std::hypot(1, slope) * Eigen::Vector3d(-slope, -1, 0);
+  model.contact.friction = friction;
+  return model;
+}
+
+/// Of the second of two bodies.
+inline Eigen::Vector3d mean_displacement_of_second(const Model& model, const State& state) {
+  Eigen::Vector3d sum(0, 0, 0);
+  const BodyPart& body = model.bodies[1];
+  for (std::uint32_t v = body.vertex_begin; v < body.vertex_begin + body.vertex_count; ++v)
+    sum += state.displacement[v];
+  return sum / body.vertex_count;
 }
 
 }  // namespace fascia::test

@@ -3,13 +3,13 @@
 import math
 import sys
 
-AROUND, RADIUS, SCALE, ENDS = 10, 0.0065, 0.013, 0.13
+AROUND, RADIUS, SCALE, ENDS = 10, 0.005, 0.016, 0.13
 RINGS, RINGS_OF_END = 96, 24
-APART = 0.9  # how far the ends are moved out of each other's way along z, over SCALE
+APART = 0.7  # how far the ends are moved out of each other's way along z, over SCALE
 
 
 def knot(t):  # -pi to pi
-    z = -1.15 * math.sin(3 * t) - APART * t / math.pi
+    z = -1.8 * math.sin(3 * t) - APART * t / math.pi
     return [SCALE * c for c in (math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), z)]
 
 

@@ -9,6 +9,7 @@
 #include "base/file.h"
 #include "base/suggest.h"
 #include "base/text.h"
+#include "sim/contact/pair_energy.h"
 #include "sim/fit/measured/drive.h"
 #include "sim/fit/measured/measured_table.h"
 #include "sim/fit/measured/shape_distance.h"
@@ -51,6 +52,8 @@ class CurveReader {
   CurveReader(const std::filesystem::path& file, const Model& model, const MeasurementRead& how)
       : model_(model), how_(how), table_(read_measured_table(file, read_file(file))), probe_(how.probe) {
     where_ = file.string() + ":" + std::to_string(table_.header_line);
+    for (const auto& [a, b] : touching_bodies(model))
+      between_.push_back("contact_" + in_column(model.bodies[a].name) + "_" + in_column(model.bodies[b].name) + "_");
     for (const auto& [keyword, text] : table_.notes)
       if (keyword == "Probe" && text.starts_with("vertex "))
         probe_ = static_cast<std::uint32_t>(
@@ -79,8 +82,11 @@ class CurveReader {
   static bool is_vector(const std::string& name) {
     return name.starts_with("reaction_") || name.starts_with("grab_") || name.starts_with("probe_");
   }
-  static bool is_of_contact_only(const std::string& name) {
-    return name.starts_with("contact_") && (name.ends_with("_deepest_m") || name.ends_with("_Nm"));
+  // Of contact, but no force of a tool on the tissue.
+  bool is_of_contact_only(const std::string& name) const {
+    if (!name.starts_with("contact_")) return false;
+    if (name.ends_with("_deepest_m") || name.ends_with("_Nm")) return true;
+    return std::any_of(between_.begin(), between_.end(), [&](const std::string& of) { return name.starts_with(of); });
   }
 
   static bool is_displacement(const std::string& name) { return name.starts_with("displacement_"); }
@@ -211,6 +217,7 @@ class CurveReader {
   std::uint32_t probe_;
   std::string where_;
   std::vector<double> times_;
+  std::vector<std::string> between_;  // how columns of the forces between bodies begin
 };
 
 // The unit of the positions in the first line index,x_mm,y_mm,z_mm; m without one.

@@ -42,7 +42,7 @@ std::vector<PairLoad> ContactTerm::sum_of(const std::vector<PairRow>& pairs, con
     const Vector3d force(forces[k].x, forces[k].y, forces[k].z);
     const double pressing = forces[k].w;
     if (pressing > 0 || !force.isZero(0))
-      add_load(loads, pairs[k], force, pressing > 0, (pressing - pairs[k].before) / pairs[k].stiffness);
+      add_load(loads, pairs[k], force, pressing, (pressing - pairs[k].before) / pairs[k].stiffness);
   }
   return loads;
 }

@@ -116,7 +116,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   limit_ = gl::Buffer("contact_limit", std::vector<std::uint32_t>(limits_.size() + point_count()));
   upload_leaders();
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
-  const std::vector<vec4> no_forces(surface_.row_count + pairs_.slot_count());
+  const std::vector<vec4> no_forces(surface_.row_count + pairs_.row_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
   buffers.contact_before = gl::Buffer("contact_before", no_forces);
   upload_entries();
@@ -218,7 +218,8 @@ void ContactTerm::upload_pairs() {
     weights.push_back(weights_of(pair));
     constants.push_back(row_of(pair.normal, pair.gap));
     constants.push_back(row_of(pair.start, pair.stiffness));
-    constants.push_back(row_of({model_.contact.friction, static_cast<double>(surface_.row_count + pair.slot), 0}));
+    constants.push_back(
+        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), 0}));
     listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
   }
   vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());

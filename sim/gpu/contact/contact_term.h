@@ -32,6 +32,7 @@ class ContactTerm : public EnergyTerm {
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers);
   bool searches() const { return !pairs_.empty(); }
+  double search_ms() const { return pairs_.search_ms(); }  // for pairs, so far
 
   std::string name() const override { return "contact"; }
   bool acts() const override { return !surface_.empty() || !pairs_.empty(); }

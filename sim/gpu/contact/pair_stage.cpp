@@ -1,6 +1,7 @@
 #include "sim/gpu/contact/pair_stage.h"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 
 #include "sim/model/prescribed_motion.h"
@@ -29,30 +30,42 @@ void PairStage::begin(double time, double duration, SimBuffers& buffers, std::ui
   find(buffers, first_row);
 }
 
+template <class F>
+auto PairStage::timed(F&& search) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  auto result = search();
+  search_ms_ += std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  return result;
+}
+
 bool PairStage::search_again(SimBuffers& buffers, std::uint32_t first_row) {
   if (empty() || !search_.sees_near()) return false;
   end_ = buffers.download_vectors(buffers.displacement);
-  if (!search_.misses(end_)) return false;
-  rows_ = search_.find_again();
+  if (!timed([&] { return search_.misses(end_); })) return false;
+  rows_ = timed([&] { return search_.find_again(); });
   upload_forces(buffers, first_row);
   return true;
 }
 
 void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
-  before_.resize(slot_count());
-  buffers.contact_memory.download(sizeof(vec4) * first_row, sizeof(vec4) * slot_count(), before_.data());
+  before_.resize(row_count());
+  buffers.contact_memory.download(sizeof(vec4) * first_row, sizeof(vec4) * row_count(), before_.data());
   std::vector<ContactForce> forces;
   for (const vec4& force : before_) forces.push_back({{force.x, force.y, force.z}, force.w});
-  rows_ = search_.find(start_, end_, forces);
+  rows_ = timed([&] { return search_.find(start_, end_, forces); });
   upload_forces(buffers, first_row);
 }
 
 void PairStage::upload_forces(SimBuffers& buffers, std::uint32_t first_row) const {
-  const std::size_t offset = sizeof(vec4) * first_row, bytes = sizeof(vec4) * slot_count();
-  std::vector<vec4> kept(slot_count());
+  const std::size_t offset = sizeof(vec4) * first_row, bytes = sizeof(vec4) * row_count();
+  std::vector<vec4> kept(row_count());
   for (const PairRow& pair : rows_) {
-    kept[pair.slot] = before_[pair.slot];
-    kept[pair.slot].w = static_cast<float>(pair.before);
+    const std::uint32_t row = force_row(pair.slot);
+    kept[row] = before_[row];
+    kept[row].w = static_cast<float>(pair.before);
+    vec4& met = kept[met_row(pair.slot)];
+    *std::array{&met.x, &met.y, &met.z, &met.w}[pair.slot % 4] = static_cast<float>(pair.met);
   }
   buffers.contact_memory.upload(offset, bytes, kept.data());
   buffers.contact_before.upload(offset, bytes, kept.data());

@@ -14,7 +14,8 @@ class PairStage {
   void materials_changed(const Model& model);
 
   bool empty() const { return search_.empty(); }
-  std::uint32_t slot_count() const { return search_.slot_count(); }
+  std::uint32_t slot_count() const { return search_.slot_count(); }  // at most so many pairs
+  std::uint32_t row_count() const { return search_.row_count(); }    // of the memory of contact
 
   /// Finds the pairs of a stage of `duration` that ends at `time` [s]. Forces without a pair are forgotten, in the rows
   /// of the memory of contact from `first_row` on. Waits for the GPU.
@@ -24,20 +25,24 @@ class PairStage {
   bool search_again(SimBuffers& buffers, std::uint32_t first_row);
 
   const std::vector<PairRow>& rows() const { return rows_; }
+  double search_ms() const { return search_ms_; }  // that all searches so far took, without waiting for the GPU
   /// Lowers the shares [body] of the way to where velocities lead to those at which the body meets another, or itself.
   /// Bodies that press each other, or meet, go together: `leaders` [body] gets the first body of each such group, whose
   /// share is that of all.
   void limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const;
 
  private:
+  template <class F>
+  auto timed(F&& search);
   void find(SimBuffers& buffers, std::uint32_t first_row);
   void upload_forces(SimBuffers& buffers, std::uint32_t first_row) const;
 
   const Model& model_;  // its materials may change
   PairSearch search_;
+  double search_ms_ = 0;
   std::vector<PairRow> rows_;
-  std::vector<shared::vec4> before_;          // [slot] xyz friction, w normal force that the step before left [N]
-  std::vector<char> falls_;                   // [vertex] in unconstrained parts
+  std::vector<shared::vec4> before_;  // [row] that the step before left: of forces xyz friction, w the normal one [N]
+  std::vector<char> falls_;           // [vertex] in unconstrained parts
   std::vector<Eigen::Vector3d> start_, end_;  // [vertex] u at the start, and where the pairs are looked for up to [m]
 };
 

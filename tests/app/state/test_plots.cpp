@@ -58,3 +58,21 @@ TEST_CASE("a table of samples has notes, names with units, and empty cells for u
   CHECK_THAT(text, Catch::Contains("\n0,0.1,0.3333333333333333,0,0,0.3333333333333333,1,"));
   CHECK(text.substr(text.size() - 8) == ",,,,,,,\n");
 }
+
+TEST_CASE("a table of samples has the forces between all bodies that may touch") {
+  const TemporaryFolder folder;
+  Model model;
+  model.contact.bodies = model.contact.self = true;
+  for (const char* name : {"liver", "a, b"}) model.bodies.push_back({name, 0, 0, 0, 0, 0, 0, {}});
+  Sample apart = at(0), touching = at(1);
+  touching.pairs = {{{0, 1}, {1, 2, 3}, 4, 5, 0.25}};
+  write_samples(folder / "t.csv", std::vector<Sample>{apart, touching}, model, {}, 7);
+  const std::string text = read_file(folder / "t.csv");
+  CAPTURE(text);
+  CHECK_THAT(text,
+             Catch::Contains(",contact_liver_liver_normal_N,contact_liver_liver_deepest_m,contact_liver_a_ b_x_N,"
+                             "contact_liver_a_ b_y_N,contact_liver_a_ b_z_N,contact_liver_a_ b_normal_N,"
+                             "contact_liver_a_ b_deepest_m,contact_a_ b_a_ b_normal_N,contact_a_ b_a_ b_deepest_m\n"));
+  CHECK_THAT(text, Catch::Contains(",0,0,0,0,0,0,0,0,0\n"));
+  CHECK_THAT(text, Catch::Contains(",0,0,1,2,3,4,0.25,0,0\n"));
+}

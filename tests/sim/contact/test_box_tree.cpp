@@ -39,6 +39,35 @@ TEST_CASE("a tree of boxes finds every box that overlaps, also after they moved"
   }
 }
 
+TEST_CASE("a tree leaves out no thing that faces against a direction, and most of those that do not") {
+  test::Random random(7);
+  std::vector<Vector3d> middles;
+  std::vector<AlignedBox3d> boxes, facings;
+  for (int i = 0; i < 1000; ++i) {  // of a ball, each of which faces outward
+    middles.push_back(random.vector().normalized());
+    boxes.emplace_back(middles.back());
+    facings.emplace_back(middles.back());
+  }
+  BoxTree tree(middles);
+  tree.fit(boxes, facings);
+  std::size_t visited = 0, opposed = 0;
+  for (int query = 0; query < 50; ++query) {
+    const Vector3d direction = random.vector();
+    const AlignedBox3d everything(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
+    std::vector<char> found(middles.size(), 0);
+    tree.for_opposed(everything, direction, [&](std::uint32_t k) {
+      found[k] = 1;
+      ++visited;
+    });
+    for (std::size_t k = 0; k < middles.size(); ++k)
+      if (middles[k].dot(direction) < 0) {
+        ++opposed;
+        CHECK(found[k]);
+      }
+  }
+  CHECK(static_cast<double>(visited) < 1.3 * static_cast<double>(opposed));
+}
+
 TEST_CASE("a tree of nothing finds nothing") {
   const BoxTree tree{std::vector<Vector3d>()};
   CHECK(tree.empty());

@@ -79,6 +79,39 @@ TEST_CASE("a collision in free flight keeps the momentum of both", "[contact]") 
   CHECK(solver.pair_loads().empty());
 }
 
+// Places of the cube after every `interval` steps.
+std::vector<Vector3d> way_down_slope(const Model& model, int steps, int interval) {
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  std::vector<Vector3d> places;
+  for (int i = 0; i <= steps; ++i) {
+    if (i % interval == 0) places.push_back(test::mean_displacement_of_second(model, state));
+    if (i < steps) solver.step(state);
+  }
+  return places;
+}
+
+// So soft that its rim bulges and its faces crease: pairs that took slots from each other let it creep by 0.1 mm/s.
+TEST_CASE("a soft cube rests on a slope of tissue below the limit of friction", "[contact]") {
+  Material material = soft(1e4, 0.3, 0.05);
+  material.model = MaterialModel::squared;
+  const Model model = test::cube_on_slope(0.7 * 0.4, 0.4, material);
+  const std::vector<Vector3d> places = way_down_slope(model, 180, 60);
+  CAPTURE(places[1].transpose(), places[2].transpose(), places[3].transpose());
+  CHECK((places[3] - places[2]).norm() < 1e-7);
+  CHECK(places[3].x() > -0.03);
+}
+
+// What presses in a step for the first time has no friction in it, and rims that bend on their way take energy.
+TEST_CASE("a cube slides down tissue above the limit of friction as Coulomb says", "[contact]") {
+  const double slope = 1.2 * 0.4;
+  const std::vector<Vector3d> places = way_down_slope(test::cube_on_slope(slope, 0.4, soft(1e5, 0.3, 0.05)), 40, 10);
+  const double acceleration = -(places[4] - 2 * places[3] + places[2]).x() * 36;
+  const double coulomb = 9.81 / std::hypot(1, slope) * (slope - 0.4);
+  CAPTURE(acceleration, coulomb);
+  CHECK(acceleration == Approx(coulomb).epsilon(0.05));
+}
+
 TEST_CASE("cubes set on each other have a static equilibrium", "[contact]") {
   const Model model = stack(soft(1e5));
   NewtonSolver solver(model, frames());

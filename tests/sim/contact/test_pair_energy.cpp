@@ -36,10 +36,12 @@ struct Touching {
       row.gap = 1e-3 * random();
       row.stiffness = 1e3 * (1.5 + random());
       row.slot = k;
+      row.met = 10 + k;
       row.bodies = {0, 1};
     }
-    memory.resize(6);
-    for (ContactForce& force : memory) {
+    memory.resize(memory_rows(6));
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      ContactForce& force = memory[force_row(k)];
       force.normal = random() > 0 ? 3 * std::abs(random()) : 0;
       force.friction = 0.5 * force.normal * random.vector();
     }
@@ -72,18 +74,35 @@ TEST_CASE("forces between tissue add up to nothing, and the load of a body is th
   CHECK((first + second).norm() < 1e-12 * second.norm());
   CHECK((loads[0].force - second).norm() < 1e-12 * second.norm());
   CHECK(loads[0].bodies == std::array<std::uint32_t, 2>{0, 1});
-  ContactMemory memory(6);
+  ContactMemory memory(memory_rows(6));
   energy.remember(u, memory);
-  for (const ContactForce& force : memory) {
+  double normal = 0;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    const ContactForce& force = memory[force_row(k)];
     CHECK(force.normal >= 0);
     CHECK(force.friction.norm() <= 0.5 * force.normal + 1e-12);
+    CHECK(met_in(memory[met_row(k)], k) == 10 + k);
+    normal += force.normal;
   }
+  CHECK(loads[0].normal == Approx(normal));
+  CHECK(load_between(loads, {0, 1}).force == loads[0].force);
+  CHECK(load_between(loads, {1, 1}).pairs == 0);
+}
+
+TEST_CASE("bodies may touch each other, themselves, or nothing", "[contact]") {
+  using Bodies = std::vector<std::array<std::uint32_t, 2>>;
+  Model model = Touching(0.5).model;
+  CHECK(touching_bodies(model) == Bodies{{0, 1}});
+  model.contact.self = true;
+  CHECK(touching_bodies(model) == Bodies{{0, 0}, {0, 1}, {1, 1}});
+  model.contact.bodies = model.contact.self = false;
+  CHECK(touching_bodies(model).empty());
 }
 
 TEST_CASE("a memory without slots means no forces", "[contact]") {
   const Touching touching(0.5);
   const PairEnergy fresh(touching.model, touching.rows, {}, 0),
-      zeros(touching.model, touching.rows, ContactMemory(6), 0);
+      zeros(touching.model, touching.rows, ContactMemory(memory_rows(6)), 0);
   VectorXd a = VectorXd::Zero(touching.start.size()), b = a;
   CHECK(fresh.evaluate(touching.start, a) == zeros.evaluate(touching.start, b));
   CHECK(a == b);

@@ -147,6 +147,49 @@ TEST_CASE("what a solution leads through each other is guarded until it no longe
   CHECK_FALSE(search.misses(end));
 }
 
+// The same pairs, in whatever order their distances are now.
+TEST_CASE("pairs that pressed keep their slots where others are hardly nearer", "[contact]") {
+  Model upper = box(3);
+  const Eigen::Matrix3d turn(Eigen::AngleAxisd(0.3, Vector3d::UnitY()));
+  for (Vector3d& x : upper.rest_positions) x = turn * x;
+  const Model model = test::beside(box(), test::moved(upper, {-0.03, kSize + 0.003, 0.01}), "upper");
+  PairSearch search(model);
+  test::Random random(4);
+  const auto shaken = [&] {
+    std::vector<Vector3d> places;
+    for (std::size_t v = 0; v < model.rest_positions.size(); ++v)
+      places.push_back(0.04 * search.skin() * random.vector());
+    return places;
+  };
+  std::vector<Vector3d> now = shaken();
+  const std::vector<PairRow> first = search.find(now, now, {});
+  ContactMemory memory(search.row_count());
+  std::size_t crossings = 0;
+  for (const PairRow& row : first) {
+    memory[force_row(row.slot)].normal = 1;
+    met_in(memory[met_row(row.slot)], row.slot) = row.met;
+    crossings += std::count_if(row.weights.begin(), row.weights.end(), [](double w) { return w < 0; }) == 2;
+  }
+  CHECK(crossings > 5);
+  int kept = 0, changed_without_memory = 0;
+  for (int again = 0; again < 5; ++again) {
+    now = shaken();
+    for (const bool remembers : {true, false}) {
+      const std::vector<PairRow> rows = search.find(now, now, remembers ? memory : ContactMemory());
+      for (const PairRow& row : first)
+        for (const PairRow& other : rows) {
+          if (other.slot != row.slot) continue;
+          CAPTURE(again, row.slot, row.met, other.met);
+          if (remembers) CHECK(other.met == row.met);
+          if (remembers) ++kept;
+          if (!remembers && other.met != row.met) ++changed_without_memory;
+        }
+    }
+  }
+  CHECK(kept > 4 * static_cast<int>(first.size()));
+  CHECK(changed_without_memory > 0);
+}
+
 TEST_CASE("an edge that goes through a face meets it from where it came", "[contact]") {
   // Two tets; an edge of the upper one goes down through the top of the lower one, at any angle of normals.
   TetMesh mesh;

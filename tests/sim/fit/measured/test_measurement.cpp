@@ -77,6 +77,18 @@ TEST_CASE("a history is read without what is not measured", "[fit]") {
   CHECK(read(history).curves[0].name == "probe_y");
 }
 
+TEST_CASE("forces between bodies in a history are not fitted", "[fit]") {
+  Reading read;
+  read.model.bodies.push_back(read.model.bodies[0]);
+  read.model.bodies[0].name = "a";
+  read.model.bodies[1].name = "b";
+  read.model.contact.bodies = read.model.contact.self = true;
+  const Measurement m =
+      read("time_s,reaction_y_N,contact_a_a_normal_N,contact_a_b_x_N,contact_a_b_deepest_m\n0,5,1,2,3\n");
+  CHECK(m.notes ==
+        std::vector<std::string>{"not fitted: contact_a_a_normal_N, contact_a_b_x_N, contact_a_b_deepest_m"});
+}
+
 TEST_CASE("wrong units and columns are one line", "[fit]") {
   const Reading read;
   CHECK(read.error_of("time_s,reaction_y_lbf\n0,1\n") ==

@@ -37,6 +37,12 @@ Material soft(double young_modulus, double damping = 0) {
   return material;
 }
 
+Material squared(double young_modulus) {
+  Material material = soft(young_modulus, 0.05);
+  material.model = MaterialModel::squared;
+  return material;
+}
+
 Tool tool(const std::string& name, const ToolShape& shape, double friction, std::vector<Instrument::Key> path = {{}}) {
   Tool tool;
   tool.name = name;
@@ -302,9 +308,36 @@ TEST_CASE("tissue in contact goes on to the same bits in another solver", "[gpu]
   CHECK(a.displacement == b.displacement);
   CHECK(a.velocity == b.velocity);
   CHECK(a.contact == b.contact);
-  const auto first_pair = static_cast<std::ptrdiff_t>(middle.contact.size() - PairSearch(model).slot_count());
+  const auto first_pair = static_cast<std::ptrdiff_t>(middle.contact.size() - PairSearch(model).row_count());
   CHECK(std::any_of(middle.contact.begin() + first_pair, middle.contact.end(),
                     [](const ContactForce& f) { return f.normal > 0; }));
+}
+
+// The velocities [m/s] of the cube after every `interval` steps.
+std::vector<Vector3d> way_down_slope(test::Gpu& gpu, const Model& model, int steps, int interval) {
+  GpuSolver solver(gpu.programs, model, awake(10));
+  std::vector<Vector3d> places;
+  for (int i = 0; i <= steps; ++i) {
+    if (i % interval == 0) places.push_back(test::mean_displacement_of_second(model, solver.download()));
+    if (i < steps) solver.step();
+  }
+  return places;
+}
+
+// As the reference in tests/sim/contact/test_pair_cases.cpp
+TEST_CASE("a soft cube rests on a slope of tissue with ten iterations, and slides down a steep one", "[gpu][contact]") {
+  test::Gpu gpu;
+  const Model gentle = test::cube_on_slope(0.7 * 0.4, 0.4, squared(1e4));
+  const std::vector<Vector3d> resting = way_down_slope(gpu, gentle, 240, 60);
+  const double creep = (resting[4] - resting[2]).norm() / 2;  // [m/s]
+  const double slope = 1.2 * 0.4;
+  const Model steep = test::cube_on_slope(slope, 0.4, soft(1e5, 0.05));
+  const std::vector<Vector3d> sliding = way_down_slope(gpu, steep, 40, 10);
+  const double acceleration = -(sliding[4] - 2 * sliding[3] + sliding[2]).x() * 36;
+  const double coulomb = 9.81 / std::hypot(1, slope) * (slope - 0.4);
+  CAPTURE(creep, resting[4].transpose(), acceleration, coulomb);
+  CHECK(creep < 1e-5);
+  CHECK(acceleration == Approx(coulomb).epsilon(0.05));
 }
 
 TEST_CASE("a grasp holds a cube with ten iterations a step, and lets it go below the limit", "[gpu][contact]") {
