@@ -1,7 +1,6 @@
 // Contact on the GPU against the double-precision reference, step by step from the same states, and against closed
 // forms.
-// Covers: piece_rows
-// Covers: contact_passes, contact_readout, pair_stage
+// Covers: piece_rows, contact_passes, contact_readout
 #include "sim/gpu/contact/contact_term.h"
 
 #include <catch2/catch.hpp>
@@ -11,8 +10,8 @@
 #include "sim/reference/newton.h"
 #include "sim/tool/solid_mesh.h"
 #include "tests/sim/contact/grasp.h"
+#include "tests/sim/gpu/contact/contact_scenes.h"
 #include "tests/support/gpu/gpu_fixture.h"
-#include "tests/support/models.h"
 #include "tests/support/surfaces.h"
 #include "tests/support/touching_bodies.h"
 
@@ -20,58 +19,16 @@ namespace fascia {
 namespace {
 
 using Eigen::Vector3d;
-
-SolverSettings two_level(int iterations = 10) {
-  SolverSettings settings;
-  settings.method = Method::two_level;
-  settings.acceleration = Acceleration::subspace;
-  settings.iterations = iterations;
-  settings.time_step = 1.0 / 60;
-  return settings;
-}
-
-Material soft(double young_modulus, double damping = 0) {
-  Material material;
-  material.young_modulus = young_modulus;
-  material.damping = damping;
-  return material;
-}
-
-Material squared(double young_modulus) {
-  Material material = soft(young_modulus, 0.05);
-  material.model = MaterialModel::squared;
-  return material;
-}
-
-Tool tool(const std::string& name, const ToolShape& shape, double friction, std::vector<Instrument::Key> path = {{}}) {
-  Tool tool;
-  tool.name = name;
-  tool.shape = shape;
-  tool.friction = friction;
-  tool.path = std::move(path);
-  return tool;
-}
-
-Model cube(double size, int cells, const Material& material) {
-  Model model = test::make_model(make_box(cells, cells, cells, {size, size, size}), material,
-                                 [](const Vector3d&) { return false; });
-  model.gravity = {0, -9.81, 0};
-  return model;
-}
-
-double largest_difference(const State& a, const State& b) {
-  double largest = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v)
-    largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
-  return largest;
-}
-
-double largest_way(const State& a, const State& b) { return largest_difference(a, b); }
+using test::cube;
+using test::largest_difference;
+using test::soft_tissue;
+using test::tool;
+using test::two_level;
 
 TEST_CASE("the ground carries a cube on the GPU", "[gpu][contact]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   test::Gpu gpu(loads);
-  Model model = cube(0.2, 4, soft(1e5, 0.05));
+  Model model = cube(0.2, 4, soft_tissue(1e5, 0.05));
   model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
   GpuSolver solver(gpu.programs, model, two_level());
   for (int i = 0; i < 240; ++i) solver.step();
@@ -86,7 +43,7 @@ TEST_CASE("the ground carries a cube on the GPU", "[gpu][contact]") {
 
 // A ball presses a cube down, and slides over it.
 Model pressed_cube() {
-  Model model = cube(0.2, 6, soft(2e4));
+  Model model = cube(0.2, 6, soft_tissue(2e4));
   model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5),
                  tool("ball", SphereShape{{0, 0, 0}, 0.06}, 0.4,
                       {{0, {0.1, 0.26, 0.1}, {0, 0, 0}}, {0.4, {0.13, 0.2, 0.1}, {0, 0, 0}}})};
@@ -136,7 +93,7 @@ TEST_CASE("forces at vertices add up to those of the tools, and pressures to the
 TEST_CASE("a tool that is far away changes no bit and costs no dispatch", "[gpu][contact]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   test::Gpu gpu(loads);
-  Model alone = test::make_model(make_box(4, 4, 4, {0.2, 0.2, 0.2}), soft(2e4),
+  Model alone = test::make_model(make_box(4, 4, 4, {0.2, 0.2, 0.2}), soft_tissue(2e4),
                                  [](const Vector3d& x) { return x.y() > 0.2 - 1e-9; });
   alone.gravity = {0, -9.81, 0};
   Model beside = alone;
@@ -170,8 +127,8 @@ TEST_CASE("a tool that is far away changes no bit and costs no dispatch", "[gpu]
 // where no tissue comes, but near its box.
 TEST_CASE("steps without contact before and after a touch are those with contact", "[gpu][contact]") {
   test::Gpu gpu;
-  Model model =
-      test::make_model(make_box(4, 4, 4, {0.2, 0.2, 0.2}), soft(2e4), [](const Vector3d& x) { return x.y() < 1e-9; });
+  Model model = test::make_model(make_box(4, 4, 4, {0.2, 0.2, 0.2}), soft_tissue(2e4),
+                                 [](const Vector3d& x) { return x.y() < 1e-9; });
   model.gravity = {0, -9.81, 0};
   model.tools = {tool("ball", SphereShape{{0, 0, 0}, 0.05}, 0.4,
                       {{0, {0.1, 0.7, 0.1}, {0, 0, 0}},
@@ -202,7 +159,7 @@ TEST_CASE("steps without contact before and after a touch are those with contact
 // As a replay does, and the repetition of steps after a divergence.
 TEST_CASE("a state in contact goes on to the same bits in another solver", "[gpu][contact]") {
   test::Gpu gpu;
-  Model model = cube(0.2, 6, soft(2e4));
+  Model model = cube(0.2, 6, soft_tissue(2e4));
   model.gravity = {2, -9.81, 0};
   model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5),
                  tool("ball", SphereShape{{0, 0, 0}, 0.06}, 0.4,
@@ -220,124 +177,6 @@ TEST_CASE("a state in contact goes on to the same bits in another solver", "[gpu
   CHECK(a.velocity == b.velocity);
   CHECK(a.contact == b.contact);
   CHECK(std::any_of(a.contact.begin(), a.contact.end(), [](const ContactForce& f) { return f.normal > 0; }));
-}
-
-Model two_cubes(const Vector3d& closing) {
-  const Model first =
-      test::make_model(make_box(3, 3, 3, {0.2, 0.2, 0.2}), soft(1e5), [](const Vector3d&) { return false; });
-  const Model second =
-      test::make_model(make_box(4, 4, 4, {0.2, 0.2, 0.2}), soft(1e5), [](const Vector3d&) { return false; });
-  Model model = test::beside(first, test::moved(second, {0.21, 0.03, 0.02}, -closing), "second");
-  model.gravity.setZero();
-  model.contact.friction = 0.3;
-  return model;
-}
-
-// Root mean square over the steps in which something presses of the largest distance to the exact step from the same
-// state, relative to the way of the step.
-double error_of_steps(GpuSolver& solver, const Model& model, const SolverSettings& settings, int steps) {
-  reference::NewtonSolver exact(model, settings);
-  double squared = 0;
-  int touching = 0;
-  for (int i = 0; i < steps; ++i) {
-    const State before = solver.download();
-    State reference = before;
-    exact.step(reference);
-    solver.step();
-    const auto& tools = exact.tool_loads();
-    if (exact.pair_loads().empty() && std::none_of(tools.begin(), tools.end(), [](auto& t) { return t.points > 0; }))
-      continue;
-    const double share = largest_difference(solver.download(), reference) / largest_way(reference, before);
-    squared += share * share;
-    ++touching;
-  }
-  REQUIRE(touching >= 3);
-  return std::sqrt(squared / touching);
-}
-
-SolverSettings awake(int iterations) {
-  SolverSettings settings = two_level(iterations);
-  settings.rest_speed = 0;
-  return settings;
-}
-
-TEST_CASE("bodies collide on the GPU as in the reference, step by step from the same states", "[gpu][contact]") {
-  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
-  test::Gpu gpu(loads);
-  const auto [iterations, largest_error] = GENERATE(std::pair(10, 0.02), std::pair(20, 0.01));
-  const Model model = two_cubes({1, 0, 0});
-  GpuSolver solver(gpu.programs, model, awake(iterations));
-  const double error = error_of_steps(solver, model, awake(iterations), 12);
-  Vector3d momentum(0, 0, 0);
-  const State state = solver.download();
-  const std::vector<double> masses = lumped_masses(model);
-  for (std::size_t v = 0; v < masses.size(); ++v) momentum += masses[v] * state.velocity[v];
-  CAPTURE(iterations, error, momentum.transpose());
-  CHECK(error < largest_error);
-  CHECK((momentum - Vector3d(-8, 0, 0)).norm() < 1e-3 * 8);
-}
-
-// It lands on an edge and tips: what presses changes in every step. An eighth of the way of a step; with 20 iterations
-// 0.6 % on llvmpipe and 1.1 % on an H100, whose other rounding lets other points touch first.
-TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
-  test::Gpu gpu;
-  const auto [iterations, largest_error] =
-      GENERATE(std::pair(10, 0.125), std::pair(20, gl::device().software ? 0.01 : 0.02));
-  Model model = cube(0.2, 6, soft(2e4));
-  for (Vector3d& v : model.initial_velocity) v = {0.3, -1.5, 0};
-  model.tools = {tool("ground", PlaneShape{{0, -0.012, 0}, {0.1, 1, 0}}, 0.5)};
-  GpuSolver solver(gpu.programs, model, awake(iterations));
-  const double error = error_of_steps(solver, model, awake(iterations), 40);
-  CAPTURE(iterations, error);
-  CHECK(error < largest_error);
-}
-
-TEST_CASE("tissue in contact goes on to the same bits in another solver", "[gpu][contact]") {
-  test::Gpu gpu;
-  Model model = two_cubes({1, 0.3, 0});
-  model.tools = {tool("wall", PlaneShape{{0, 0, 0}, {1, 0, 0}}, 0.5)};
-  GpuSolver first(gpu.programs, model, two_level());
-  for (int i = 0; i < 3; ++i) first.step();
-  const State middle = first.download();
-  first.upload(middle);
-  GpuSolver second(gpu.programs, model, two_level());
-  second.upload(middle);
-  for (GpuSolver* solver : {&first, &second})
-    for (int i = 0; i < 5; ++i) solver->step();
-  const State a = first.download(), b = second.download();
-  CHECK(a.displacement == b.displacement);
-  CHECK(a.velocity == b.velocity);
-  CHECK(a.contact == b.contact);
-  const auto first_pair = static_cast<std::ptrdiff_t>(middle.contact.size() - PairSearch(model).row_count());
-  CHECK(std::any_of(middle.contact.begin() + first_pair, middle.contact.end(),
-                    [](const ContactForce& f) { return f.normal > 0; }));
-}
-
-// The velocities [m/s] of the cube after every `interval` steps.
-std::vector<Vector3d> way_down_slope(test::Gpu& gpu, const Model& model, int steps, int interval) {
-  GpuSolver solver(gpu.programs, model, awake(10));
-  std::vector<Vector3d> places;
-  for (int i = 0; i <= steps; ++i) {
-    if (i % interval == 0) places.push_back(test::mean_displacement_of_second(model, solver.download()));
-    if (i < steps) solver.step();
-  }
-  return places;
-}
-
-// As the reference in tests/sim/contact/test_pair_cases.cpp
-TEST_CASE("a soft cube rests on a slope of tissue with ten iterations, and slides down a steep one", "[gpu][contact]") {
-  test::Gpu gpu;
-  const Model gentle = test::cube_on_slope(0.7 * 0.4, 0.4, squared(1e4));
-  const std::vector<Vector3d> resting = way_down_slope(gpu, gentle, 240, 60);
-  const double creep = (resting[4] - resting[2]).norm() / 2;  // [m/s]
-  const double slope = 1.2 * 0.4;
-  const Model steep = test::cube_on_slope(slope, 0.4, soft(1e5, 0.05));
-  const std::vector<Vector3d> sliding = way_down_slope(gpu, steep, 40, 10);
-  const double acceleration = -(sliding[4] - 2 * sliding[3] + sliding[2]).x() * 36;
-  const double coulomb = 9.81 / std::hypot(1, slope) * (slope - 0.4);
-  CAPTURE(creep, resting[4].transpose(), acceleration, coulomb);
-  CHECK(creep < 1e-5);
-  CHECK(acceleration == Approx(coulomb).epsilon(0.05));
 }
 
 TEST_CASE("a grasp holds a cube with ten iterations a step, and lets it go below the limit", "[gpu][contact]") {
@@ -372,7 +211,7 @@ TEST_CASE("a grasp holds a cube with ten iterations a step, and lets it go below
 
 TEST_CASE("methods without contact refuse tools in one line", "[gpu][contact]") {
   test::Gpu gpu;
-  Model model = cube(0.2, 2, soft(1e5));
+  Model model = cube(0.2, 2, soft_tissue(1e5));
   model.materials[0].model = MaterialModel::st_venant_kirchhoff;
   model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
   SolverSettings settings = two_level();
@@ -416,7 +255,7 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
   for (const Case& c : cases) {
     // Only how kernels read differs there: one shape, and one that needs few iterations.
     if (loads == gl::LoadPath::storage && c.name != "sphere") continue;
-    Model model = cube(0.2, 6, soft(2e4));
+    Model model = cube(0.2, 6, soft_tissue(2e4));
     model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5), tool(c.name, c.shape, 0.4, c.path)};
     GpuSolver solver(gpu.programs, model, two_level(c.iterations));
     reference::NewtonSolver newton(model, two_level());
@@ -428,7 +267,7 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
       solver.step();
       solver.request_diagnostics();
       const Diagnostics d = *solver.take_diagnostics(true);
-      const double way = std::max(largest_way(exact, before), 1e-4);
+      const double way = std::max(largest_difference(exact, before), 1e-4);
       worst = std::max(worst, largest_difference(solver.download(), exact) / way);
       for (std::size_t t = 0; t < 2; ++t) {
         const double force = newton.tool_loads()[t].force.norm();

@@ -1,0 +1,60 @@
+// What tests of contact on the GPU share: settings, tissue and tools.
+#pragma once
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/gpu/solver.h"
+#include "sim/mesh/mesh_generate.h"
+#include "tests/support/models.h"
+
+namespace fascia::test {
+
+inline SolverSettings two_level(int iterations = 10) {
+  SolverSettings settings;
+  settings.method = Method::two_level;
+  settings.acceleration = Acceleration::subspace;
+  settings.iterations = iterations;
+  settings.time_step = 1.0 / 60;
+  return settings;
+}
+
+inline Material soft_tissue(double young_modulus, double damping = 0) {
+  Material material;
+  material.young_modulus = young_modulus;
+  material.damping = damping;
+  return material;
+}
+
+inline Material squared(double young_modulus) {
+  Material material = soft_tissue(young_modulus, 0.05);
+  material.model = MaterialModel::squared;
+  return material;
+}
+
+inline Tool tool(const std::string& name, const ToolShape& shape, double friction,
+                 std::vector<Instrument::Key> path = {{}}) {
+  Tool tool;
+  tool.name = name;
+  tool.shape = shape;
+  tool.friction = friction;
+  tool.path = std::move(path);
+  return tool;
+}
+
+inline Model cube(double size, int cells, const Material& material) {
+  Model model = make_model(make_box(cells, cells, cells, {size, size, size}), material,
+                           [](const Eigen::Vector3d&) { return false; });
+  model.gravity = {0, -9.81, 0};
+  return model;
+}
+
+inline double largest_difference(const State& a, const State& b) {
+  double largest = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
+  return largest;
+}
+
+}  // namespace fascia::test
