@@ -7,6 +7,7 @@
 
 #include "sim/gpu/solver.h"
 #include "sim/mesh/mesh_generate.h"
+#include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
 namespace fascia::test {
@@ -55,6 +56,22 @@ inline double largest_difference(const State& a, const State& b) {
   for (std::size_t v = 0; v < a.displacement.size(); ++v)
     largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
   return largest;
+}
+
+/// States of a solver after `before` steps, and of it and of another one that goes on from there, after `more` steps.
+struct Repeated {
+  State middle, here, elsewhere;
+};
+inline Repeated repeated(Gpu& gpu, const Model& model, int before, int more) {
+  GpuSolver first(gpu.programs, model, two_level());
+  for (int i = 0; i < before; ++i) first.step();
+  const State middle = first.download();
+  first.upload(middle);
+  GpuSolver second(gpu.programs, model, two_level());
+  second.upload(middle);
+  for (GpuSolver* solver : {&first, &second})
+    for (int i = 0; i < more; ++i) solver->step();
+  return {middle, first.download(), second.download()};
 }
 
 }  // namespace fascia::test

@@ -94,15 +94,7 @@ TEST_CASE("tissue in contact goes on to the same bits in another solver", "[gpu]
   test::Gpu gpu;
   Model model = two_cubes({1, 0.3, 0});
   model.tools = {tool("wall", PlaneShape{{0, 0, 0}, {1, 0, 0}}, 0.5)};
-  GpuSolver first(gpu.programs, model, two_level());
-  for (int i = 0; i < 3; ++i) first.step();
-  const State middle = first.download();
-  first.upload(middle);
-  GpuSolver second(gpu.programs, model, two_level());
-  second.upload(middle);
-  for (GpuSolver* solver : {&first, &second})
-    for (int i = 0; i < 5; ++i) solver->step();
-  const State a = first.download(), b = second.download();
+  const auto [middle, a, b] = test::repeated(gpu, model, 3, 5);
   CHECK(a.displacement == b.displacement);
   CHECK(a.velocity == b.velocity);
   CHECK(a.contact == b.contact);
@@ -111,7 +103,7 @@ TEST_CASE("tissue in contact goes on to the same bits in another solver", "[gpu]
                     [](const ContactForce& f) { return f.normal > 0; }));
 }
 
-// The velocities [m/s] of the cube after every `interval` steps.
+// The mean displacements [m] of the cube, at the start and after every `interval` steps.
 std::vector<Vector3d> way_down_slope(test::Gpu& gpu, const Model& model, int steps, int interval) {
   GpuSolver solver(gpu.programs, model, awake(10));
   std::vector<Vector3d> places;
