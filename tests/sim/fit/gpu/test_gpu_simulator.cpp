@@ -40,7 +40,7 @@ TEST_CASE("an experiment on the GPU observes what the reference does", "[fit][gp
   CHECK(here->moments.size() == expected->moments.size());
   for (Eigen::Index i = 0; i < expected->values.size(); ++i) {
     CAPTURE(is_static, i, here->values[i], expected->values[i]);
-    CHECK(here->values[i] == Approx(expected->values[i]).epsilon(is_static ? 1e-6 : 2e-3));
+    CHECK(here->values[i] == Approx(expected->values[i]).epsilon(is_static ? 1e-7 : 1e-5));
   }
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("an equilibrium on the GPU goes on from the one before", "[fit][gpu]")
     const double size = test::largest_displacement(direct->moments[k].state);
     const double apart = test::farthest(direct->moments[k].state, by_way->moments[k + 1].state);
     CAPTURE(k, size, apart);
-    CHECK(apart < 2e-3 * size);
+    CHECK(apart < 2e-4 * size);
   }
 }
 
@@ -84,8 +84,8 @@ TEST_CASE("a fit on the GPU finds the values of the reference", "[fit][gpu]") {
   CHECK_FALSE(result.exact_rates);
   const auto& found = result.estimates.parameters;
   CAPTURE(found[0].value, found[1].value, result.simulations);
-  CHECK(found[0].value == Approx(20000).epsilon(2e-3));
-  CHECK(found[1].value == Approx(0.4).epsilon(2e-3));
+  CHECK(found[0].value == Approx(20000).epsilon(1e-4));
+  CHECK(found[1].value == Approx(0.4).epsilon(1e-4));
   CHECK(result.simulations <= 20);
 }
 
