@@ -74,7 +74,7 @@ void GpuSolver::place_tools(double duration) {
 // A body that leaves what it touched would be held by the stiffness of the stage's start: of a collision's release, ten
 // iterations are 7 % off without later updates, 2 % with them.
 bool GpuSolver::takes_contact(int iteration) const {
-  constexpr int kInterval = 4;
+  constexpr int kInterval = 2;
   return touches() && iteration % kInterval == 0;
 }
 

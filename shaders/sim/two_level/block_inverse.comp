@@ -1,5 +1,5 @@
 // Inverse of every vertex's 3x3 block, kept for some iterations: a new one each time would cost more than the
-// iterations that it saves. After predict and prescribe.
+// iterations that it saves. With FREE the blocks themselves, for block_contact.comp. After predict and prescribe.
 #include "common/io.glsl"
 #define GUARDED_ELSEWHERE 1
 #define AT_VERTEX(v) FETCH(displacement, v).xyz
@@ -15,7 +15,11 @@ INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 #endif
 #include "sim/energy/terms.glsl"
 INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
+#if FREE
+OUTPUT(vec4, BlockFree, block_free)  // [2 * vertex_count] the blocks, xyz of xx, yy, zz then of yz, xz, xy [kg]
+#else
 #include "sim/two_level/store_inverse.glsl"
+#endif
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -28,6 +32,10 @@ void main() {
   a = Sym3(a.d + more.d, a.s + more.s);
 #endif
   a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
-  ADD_EXTERNAL_BLOCK(a, i, SUBSTEP * SUBSTEP)
+#if FREE
+  STORE3(block_free[2u * i], a.d)
+  STORE3(block_free[2u * i + 1u], a.s)
+#else
   store_inverse(i, a);
+#endif
 }

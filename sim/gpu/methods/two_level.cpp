@@ -65,6 +65,9 @@ void TwoLevelMethod::prepare(const Recording& r) {
   };
   keep(guarded_curvature_, "guarded_curvature", r.buffers.pair_and_single_count());
   keep(guarded_quadratic_, "guarded_quadratic", r.buffers.quadratic_count);
+  if (!r.has_blocks() || block_free_) return;
+  block_free_ = gl::Buffer("block_free", block_inverse_.bytes());
+  block_pressed_ = gl::Buffer("block_pressed", block_inverse_.bytes());
 }
 
 // The inertial start may have a much higher energy: it is treated as a step from u_n, which is kept only if it lowers
@@ -100,7 +103,12 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
 Passes TwoLevelMethod::refresh(const Recording& r) const {
   gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},           {"tet_vertices", &r.buffers.tet_vertices},
                                      {"tet_shape", &r.buffers.tet_shape}, {"displacement", &r.buffers.displacement},
-                                     {"mass", &r.buffers.mass},           {"block_inverse", &block_inverse_}};
+                                     {"mass", &r.buffers.mass}};
+  const bool contact = r.has_blocks();
+  if (contact)
+    bindings.emplace_back("block_free", &block_free_);
+  else
+    bindings.emplace_back("block_inverse", &block_inverse_);
   if (vertex_tets_)
     bindings.insert(bindings.end(), {{"tet_begin", &r.buffers.tet_begin}, {"vertex_tets", &vertex_tets_}});
   if (vertex_quadratic_)
@@ -108,7 +116,8 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"quadratic_begin", &r.buffers.quadratic_begin},
                                      {"vertex_quadratic", &vertex_quadratic_}});
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::block);
+  gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::stiffness);
+  defines.emplace_back("FREE", contact ? "1" : "0");
   defines.emplace_back("LINEAR_TETS", vertex_tets_ ? "1" : "0");
   defines.emplace_back("QUADRATIC_TETS", vertex_quadratic_ ? "1" : "0");
   if (vertex_quadratic_) defines = defines_of_quadratic(std::move(defines), r.buffers);
@@ -117,11 +126,28 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
       r.over_vertices("sim/two_level/block_inverse.comp", std::move(defines), std::move(bindings),
                       vertex_quadratic_ ? constants_of_quadratic(r.buffers) : gl::ComputePass::Constants{}));
   passes.back().loops(r.loops_of_vertex());
+  if (contact) passes.push_back(blocks_in_contact(r, true));
   return passes;
+}
+
+gl::ComputePass TwoLevelMethod::blocks_in_contact(const Recording& r, bool first) const {
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
+                                     {"block_free", &block_free_},
+                                     {"block_pressed", &block_pressed_},
+                                     {"block_inverse", &block_inverse_}};
+  EnergyTerms with_blocks;
+  std::copy_if(r.terms.begin(), r.terms.end(), std::back_inserter(with_blocks),
+               [](const EnergyTerm* term) { return term->has_blocks(); });
+  gl::Defines defines =
+      with_energy_terms({{"FIRST", first ? "1" : "0"}}, bindings, with_blocks, TermUse::block);
+  gl::ComputePass pass = r.over_vertices("sim/two_level/block_contact.comp", std::move(defines), std::move(bindings));
+  pass.loops(r.loops_of_vertex());
+  return pass;
 }
 
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
+  if (!first && r.has_blocks()) passes.push_back(blocks_in_contact(r, false));
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::Defines defines{
       {"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};

@@ -53,6 +53,7 @@ class TwoLevelMethod : public StepMethod {
  private:
   void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
   static bool last_group_ends(const Recording& recording);
+  gl::ComputePass blocks_in_contact(const Recording& recording, bool first) const;
   gl::ComputePass objective_sum(const Recording& recording, bool final) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;
@@ -66,6 +67,7 @@ class TwoLevelMethod : public StepMethod {
   StepGradient gradient_;
   CoarseLevel coarse_;
   gl::Buffer vertex_tets_, vertex_quadratic_, block_inverse_;
+  gl::Buffer block_free_, block_pressed_;  // vec4 [2 * vertex_count] the blocks without contact, and what it adds
   Reduction vertices_, pairs_, quadratic_;
   gl::Buffer fine_direction_,
       coarse_direction_;                      // vec4 [vertex_count]; the two directions of the step
