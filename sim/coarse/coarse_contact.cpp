@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace fascia {
 namespace {
@@ -102,8 +103,26 @@ MatrixXf push_back(const CoarseContact& contact, const std::function<float(Index
   return both.partialPivLu().solve(contact.stiffness);
 }
 
-bool alike(const CoarseContact& a, const CoarseContact& b) {
-  return a.nodes == b.nodes && (a.stiffness - b.stiffness).norm() <= 0.1f * a.stiffness.norm();
+bool alike(const CoarseContact& a, const CoarseContact& b, const std::function<float(Index)>& compliance) {
+  constexpr float kSame = 0.1f;
+  const auto held = [&](const CoarseContact& contact, std::size_t k, Index axis) {
+    const float product = contact.stiffness.diagonal()[3 * static_cast<Index>(k) + axis] *
+                          compliance(3 * static_cast<Index>(contact.nodes[k]) + axis);
+    return product / (1 + product);
+  };
+  float changed = 0, all = 0;
+  for (std::size_t i = 0, k = 0; i < a.nodes.size() || k < b.nodes.size();) {
+    const bool in_a = i < a.nodes.size() && (k == b.nodes.size() || a.nodes[i] <= b.nodes[k]);
+    const bool in_b = k < b.nodes.size() && (i == a.nodes.size() || b.nodes[k] <= a.nodes[i]);
+    for (Index axis = 0; axis < 3; ++axis) {
+      const float of_a = in_a ? held(a, i, axis) : 0, of_b = in_b ? held(b, k, axis) : 0;
+      changed += std::abs(of_a - of_b);
+      all += of_a;
+    }
+    i += in_a;
+    k += in_b;
+  }
+  return changed <= kSame * all;
 }
 
 }  // namespace fascia

@@ -37,7 +37,9 @@ CoarseContact coarse_contact(const CoarseSpace& space, const std::vector<PointSt
 Eigen::MatrixXf push_back(const CoarseContact& contact,
                           const std::function<float(Eigen::Index, Eigen::Index)>& inverse);
 
-/// Whether two are alike enough for one to serve as the other: the same nodes, and stiffness within a tenth.
-bool alike(const CoarseContact& a, const CoarseContact& b);
+/// Whether `b` may serve as `a`: the shares c g / (1 + c g) by which contact holds the coordinates of nodes, with the
+/// diagonals c of C and g of A^-1, differ by a tenth of all at most. Much more or less of a stiff contact does nothing.
+/// `compliance(i)`: g.
+bool alike(const CoarseContact& a, const CoarseContact& b, const std::function<float(Eigen::Index)>& compliance);
 
 }  // namespace fascia

@@ -71,8 +71,9 @@ void GpuSolver::place_tools(double duration) {
   contact_.begin_stage(stage_motion_, time_ + duration, duration, buffers_);
 }
 
-// A body that leaves what it touched would be held by the stiffness of the stage's start: of a collision's release, ten
-// iterations are 7 % off without later updates, 2 % with them.
+// What begins to press within the iterations, or leaves what it touched, would be held as at the start of the stage:
+// ten iterations under a moving box are 1.6 % off without later updates, 1.4 % with one before every fourth iteration,
+// 0.2 % before every second, and the same before every one.
 bool GpuSolver::takes_contact(int iteration) const {
   constexpr int kInterval = 2;
   return touches() && iteration % kInterval == 0;

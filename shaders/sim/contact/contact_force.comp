@@ -31,7 +31,7 @@ void main() {
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     vec4 rest = FETCH(contact_rest, i);
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = row_at(piece, row, rest.xyz + u, rest.w, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
+    Row r = row_at(piece, row, rest, u, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
     force += vec4(force_of(r), energy_of(r));
     add_stiffness(block, r, FETCH(contact_normal, row).xyz);
   }

@@ -14,7 +14,7 @@ INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
 OUTPUT(vec4, ContactBefore, contact_before)        // [rows] the memory at the start, for comparisons
 OUTPUT(uint, ContactNear, contact_near)            // [points] a bit for every piece that is near
-OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0 where not near
+OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] u with which points go with the piece [m]; 0 where not near
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 OUTPUT(vec4, ContactForce, contact_force)          // [points]
 OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
@@ -38,7 +38,7 @@ void main() {
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
   vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
-  vec3 x = FETCH(contact_rest, i).xyz + start;
+  vec3 rest = FETCH(contact_rest, i).xyz, x = rest + start;
   uint near = 0u;
   for (uint piece = 0u; piece < pieces; ++piece) {
     if (i >= points_of(piece)) continue;
@@ -49,7 +49,9 @@ void main() {
     contact_before[row] = memory;
     bool touches = memory.w > 0.0 || d.w - half_thickness(piece) < 2.0 * length(way) + reach_of(piece);
     PiecePose end = pose_at_end(piece);
-    contact_anchor[row] = touches ? vec4(end.axes * local + end.origin, 0.0) : vec4(0.0);
+    // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
+    vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
+    contact_anchor[row] = touches ? vec4(anchor, 0.0) : vec4(0.0);
     if (!touches) continue;
     near |= 1u << piece;
     vec3 first = to_local(end, x), last = to_local(end, x + way), inward = last - first;

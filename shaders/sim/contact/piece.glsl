@@ -16,6 +16,7 @@ PiecePose pose_at(uint row) {
 }
 PiecePose pose_at_end(uint piece) { return pose_at(PIECE_ROWS * piece); }
 PiecePose pose_at_start(uint piece) { return pose_at(PIECE_ROWS * piece + 4u); }
+bool same(PiecePose a, PiecePose b) { return a.axes == b.axes && a.origin == b.origin; }
 vec3 to_local(PiecePose pose, vec3 x) { return (x - pose.origin) * pose.axes; }
 
 float friction_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece).w; }

@@ -10,9 +10,10 @@ struct Row {
   float bound;                             // b [N]
 };
 
-// `memory`: xyz t in the axes of the piece, w lambda; `anchor`: where the piece takes the point that was there at the
-// start [m].
-Row row_at(uint piece, uint row, vec3 x, float penalty, vec4 memory, vec3 anchor) {
+// `rest`: xyz place at rest [m], w penalty; `memory`: xyz t in the axes of the piece, w lambda; `anchor`: the u with which
+// the point would go where the piece goes.
+Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec3 anchor) {
+  vec3 x = rest.xyz + u;
   PiecePose pose = pose_at_end(piece);
   vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
   if (n0.w == NO_PLANE) {
@@ -21,12 +22,12 @@ Row row_at(uint piece, uint row, vec3 x, float penalty, vec4 memory, vec3 anchor
   }
   Row r;
   r.before = memory.w;
-  r.penalty = share_of_penalty(piece) * penalty;
+  r.penalty = share_of_penalty(piece) * rest.w;
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;
   r.bound = friction_of(piece) * r.before;
-  vec3 q = pose.axes * memory.xyz - STICKING * r.penalty * (x - anchor);
+  vec3 q = pose.axes * memory.xyz - STICKING * r.penalty * (u - anchor);
   r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);
   return r;
 }

@@ -15,6 +15,8 @@ namespace {
 
 using shared::vec4;
 
+constexpr float kOne = 32767;  // of entries of the inverse
+
 // A sparse matrix by rows, for the GPU.
 struct PackedRows {
   std::vector<std::uint32_t> begin{0};  // [row count + 1]
@@ -138,7 +140,6 @@ Eigen::MatrixXf CoarseLevel::compute(const CoarseSpace& space, const Job& job) {
 
 void CoarseLevel::upload() {
   const Eigen::MatrixXf inverse = with_stiffness(free_inverse_, space_, springs_, h_);
-  constexpr float kOne = 32767;
   const Eigen::VectorXf scale = (inverse.diagonal().cwiseMax(0) / kOne).cwiseSqrt();
   const std::size_t row_length = std::size_t{8} * row_octets_;
   std::vector<std::int16_t> rows(row_length * static_cast<std::size_t>(inverse.rows()), 0);
@@ -163,7 +164,8 @@ void CoarseLevel::set_contact(const std::vector<PointStiffness>& points) {
   if (!points.empty())
     for (const vec4& q : rotation_.read<vec4>()) rotations.emplace_back(q.w, q.x, q.y, q.z);
   CoarseContact now = coarse_contact(space_, points, rotations, h_);
-  if (keeps_contact_ && alike(now, contact_)) return;
+  const auto compliance = [&](Eigen::Index i) { return kOne * scales_[i] * scales_[i]; };
+  if (keeps_contact_ && alike(now, contact_, compliance)) return;
   keeps_contact_ = true;
   contact_ = std::move(now);
   upload_contact();

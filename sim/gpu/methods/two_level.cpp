@@ -101,8 +101,10 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
 }
 
 Passes TwoLevelMethod::refresh(const Recording& r) const {
-  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},           {"tet_vertices", &r.buffers.tet_vertices},
-                                     {"tet_shape", &r.buffers.tet_shape}, {"displacement", &r.buffers.displacement},
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
+                                     {"tet_vertices", &r.buffers.tet_vertices},
+                                     {"tet_shape", &r.buffers.tet_shape},
+                                     {"displacement", &r.buffers.displacement},
                                      {"mass", &r.buffers.mass}};
   const bool contact = r.has_blocks();
   if (contact)
@@ -138,8 +140,7 @@ gl::ComputePass TwoLevelMethod::blocks_in_contact(const Recording& r, bool first
   EnergyTerms with_blocks;
   std::copy_if(r.terms.begin(), r.terms.end(), std::back_inserter(with_blocks),
                [](const EnergyTerm* term) { return term->has_blocks(); });
-  gl::Defines defines =
-      with_energy_terms({{"FIRST", first ? "1" : "0"}}, bindings, with_blocks, TermUse::block);
+  gl::Defines defines = with_energy_terms({{"FIRST", first ? "1" : "0"}}, bindings, with_blocks, TermUse::block);
   gl::ComputePass pass = r.over_vertices("sim/two_level/block_contact.comp", std::move(defines), std::move(bindings));
   pass.loops(r.loops_of_vertex());
   return pass;

@@ -62,16 +62,28 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
   CHECK(touched.dot(contact.stiffness * touched) == Approx(energy).epsilon(1e-4));
 }
 
-TEST_CASE("contact that hardly changed serves again", "[coarse]") {
+TEST_CASE("contact that holds hardly otherwise serves again", "[coarse]") {
+  const auto soft = [](Eigen::Index) { return 0.5f; };  // c g = 0.5: a third of a coordinate is held
   CoarseContact a{{1, 2}, MatrixXf::Identity(6, 6)}, b = a;
-  CHECK(alike(a, b));
-  b.stiffness *= 1.05f;
-  CHECK(alike(a, b));
-  b.stiffness *= 1.2f;
-  CHECK_FALSE(alike(a, b));
+  CHECK(alike(a, b, soft));
+  b.stiffness *= 1.1f;  // c g / (1 + c g): 0.3548 for 0.3333
+  CHECK(alike(a, b, soft));
+  b.stiffness *= 1.2f;  // 0.3976
+  CHECK_FALSE(alike(a, b, soft));
+  CHECK(alike(a, b, [](Eigen::Index) { return 50.0f; }));  // 0.9851 for 0.9804
   b = a;
   b.nodes = {1, 3};
-  CHECK_FALSE(alike(a, b));
+  CHECK_FALSE(alike(a, b, soft));
+  CHECK_FALSE(alike(b, a, soft));
+
+  // A node that is hardly held may come and go.
+  b = {{1, 2, 4}, MatrixXf::Zero(9, 9)};
+  b.stiffness.topLeftCorner<6, 6>().setIdentity();
+  b.stiffness.bottomRightCorner<3, 3>().diagonal().setConstant(0.01f);
+  CHECK(alike(a, b, soft));
+  CHECK(alike(b, a, soft));
+  CHECK_FALSE(alike(a, {}, soft));
+  CHECK_FALSE(alike({}, a, soft));
 }
 
 }  // namespace
