@@ -84,7 +84,7 @@ void lie(double young_modulus, bool slope, int steps) {
   CAPTURE(young_modulus, slope, steps, farthest / kSide, (last.middle - first.middle).transpose() / kSide,
           largest_force / weight.norm(), (mean + weight).norm() / weight.norm(), rounding,
           largest_energy / first.energy, largest_kinetic / first.energy);
-  CHECK(farthest < 1e-6 * kSide);
+  CHECK(farthest < 1e-7 * kSide);
   CHECK(largest_force < 1e-5 * weight.norm() + rounding);
   CHECK((mean + weight).norm() < 1e-5 * weight.norm() + rounding);
   CHECK(largest_energy < 1e-4 * first.energy);
