@@ -96,8 +96,7 @@ TEST_CASE("a cube on a table does not creep", "[gpu][contact]") {
 }
 
 TEST_CASE("a cube on a table does not creep in half an hour", "[slow]") {
-  const double young_modulus = GENERATE(2e4, 1e6);
-  lie(young_modulus, young_modulus < 1e5, 100'000);  // on the slope, and on level ground
+  lie(GENERATE(2e4, 1e6), GENERATE(false, true), 100'000);
 }
 
 }  // namespace
