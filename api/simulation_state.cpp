@@ -95,7 +95,7 @@ void Simulation::write(const std::string& path) const {
   impl_->call([&](fascia::Simulation& simulation) {
     const std::string renderer =
         simulation.uses_reference() ? "reference solver, double precision" : impl_->context.renderer();
-    write_state(path, simulation.model, export_fields(simulation, simulation.state()),
+    write_state(path, simulation.model, export_fields(simulation, simulation.state(), path),
                 provenance_of(simulation.scene, simulation.model, renderer, "libfascia", simulation.steps_made(),
                               simulation.time()));
   });

@@ -3,7 +3,7 @@
 // continuum. fascia bench speed, static and skip: the cost of steps, of equilibria, and of features that are off.
 // fascia bench contact: the cost of contact, and the iterations that it takes.
 // fascia bench window: how the window feels.
-// fascia bench fill: the quality of tets that fill surfaces.
+// fascia bench fill and elements: the quality of tets that fill surfaces, linear or quadratic ones.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -16,6 +16,7 @@
 #include "app/bench/bench.h"
 #include "app/bench/contact.h"
 #include "app/bench/fill/fill.h"
+#include "app/bench/fill/filled_elements.h"
 #include "app/bench/skip.h"
 #include "app/bench/speed.h"
 #include "app/bench/static_times.h"
@@ -25,6 +26,7 @@
 #include "app/commands/command.h"
 #include "base/error.h"
 #include "base/suggest.h"
+#include "sim/surface/surface_fill.h"
 
 namespace fascia {
 namespace {
@@ -261,6 +263,38 @@ void add_fill(CLI::App& bench, Invocation& invocation) {
   command.callback([&invocation, options] { invocation.run = [options] { return run_fill(*options); }; });
 }
 
+void add_elements(CLI::App& bench, Invocation& invocation) {
+  struct Options : BenchOptions {
+    std::vector<std::string> surfaces;
+    std::vector<int> resolutions;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = *bench.add_subcommand(
+      "elements", "surfaces filled with linear tets and with fewer quadratic ones whose steps take as long");
+  command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
+  command.add_option("surfaces", options->surfaces, "surfaces to fill; default: four shapes of fascia bench fill")
+      ->type_name("FILE");
+  command
+      .add_option("--resolutions", options->resolutions,
+                  "of the linear fill, the quadratic one and the one that both are compared with; default: the usual "
+                  "one, one as fast, 1.75 times the usual one")
+      ->type_name("N,N,N")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(kFewestCells, kMostCells));
+  command.add_flag("--quick", options->quick, "one Poisson's ratio");
+  add_graphics(command, *options);
+  add_examples(command, {"fascia bench elements --out elements kidney.obj"});
+  command.callback([&invocation, options] {
+    invocation.run = [options] {
+      return run_bench(*options, "elements", [&](Bench& bench_of_fills) {
+        bench_elements(bench_of_fills, {options->surfaces.begin(), options->surfaces.end()}, options->resolutions);
+        return std::vector<std::string>();
+      });
+    };
+  });
+}
+
 }  // namespace
 
 void add_bench(CLI::App& program, Invocation& invocation) {
@@ -274,6 +308,7 @@ void add_bench(CLI::App& program, Invocation& invocation) {
   add_contact(bench, invocation);
   add_window(bench, invocation);
   add_fill(bench, invocation);
+  add_elements(bench, invocation);
 }
 
 }  // namespace fascia

@@ -15,6 +15,7 @@
 #include "base/provenance.h"
 #include "base/text.h"
 #include "sim/accuracy/mesh_error.h"
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/output/sample.h"
 #include "sim/output/simulation_fields.h"
 #include "sim/output/state_export.h"
@@ -108,9 +109,14 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
   const MeshError mesh = estimate_mesh_error(simulation.model, last);
   errors.mesh = mesh.displacement;
   errors.peak_stress = mesh.peak_stress;
+  errors.peak_recovered =
+      exceeded_by_a_hundredth(nodal_stress(simulation.model, last).von_mises, vertex_volumes(simulation.model));
+  errors.peak_of_tets = mesh.peak_of_tets;
   say("of the displacement: " + (errors.solver ? "solver " + percent(*errors.solver) + ", " : "") +
       (errors.time ? "time " + percent(*errors.time) + ", " : "") + "mesh " + percent(errors.mesh) +
       "; of the peak stress: mesh " + percent(errors.peak_stress) + " (estimates)");
+  say("von Mises stress that 1 % of the volume exceeds: " + number(errors.peak_recovered) + " Pa recovered, " +
+      number(mesh.peak_of_tets) + " Pa in the tets");
   stats.errors = errors;
 }
 
@@ -166,7 +172,7 @@ int run_input(const RunOptions& options) {
   const auto export_frame = [&] {
     const State state = simulation.state();
     require_finite(state, simulation.scene);
-    series->write(state.time, simulation.model, export_fields(simulation, state), made_by());
+    series->write(state.time, simulation.model, export_fields(simulation, state, options.export_path), made_by());
   };
 
   std::optional<HistoryFile> history;
@@ -245,7 +251,8 @@ int run_input(const RunOptions& options) {
                   : overridden          ? "the state differs from the recorded one: other values, grabs or solver\n"
                                         : "the state differs from the recorded one: another device, program or mesh\n");
   if (!series && !options.export_path.empty())
-    write_state(options.export_path, simulation.model, export_fields(simulation, last), stats.provenance);
+    write_state(options.export_path, simulation.model, export_fields(simulation, last, options.export_path),
+                stats.provenance);
   if (inverted > 0 && !options.quiet)
     std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
               << (inverted == 1 ? " is" : " are") << " inside out at the end\n";

@@ -30,6 +30,7 @@ constexpr Test kTests[] = {{"patches", verify_patches},
                            {"orders_space", verify_orders_in_space},
                            {"orders_time", verify_orders_in_time},
                            {"estimates", verify_estimates},
+                           {"stresses", verify_stresses},
                            {"gpu", verify_gpu}};
 
 int run_verify(const VerifyOptions& options) {

@@ -35,7 +35,8 @@ int open_window(const ViewOptions& options) {
   const Simulation& simulation = window.simulation();
   const State last = simulation.state();
   if (!options.export_path.empty())
-    write_state(options.export_path, simulation.model, export_fields(simulation, last), window.stats().provenance);
+    write_state(options.export_path, simulation.model, export_fields(simulation, last, options.export_path),
+                window.stats().provenance);
   if (!options.stats.empty()) write_stats(options.stats, window.stats(), simulation, last);
   window.finish_video();
   return interrupted() ? exit_interrupted : exit_done;

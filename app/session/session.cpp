@@ -183,27 +183,27 @@ void Session::set_display(const DisplaySettings& display) {
 void Session::follow_error() {
   const bool shown = display().color == ColorBy::error;
   if (true_error.update(simulation, shown || follow_true_error) && shown) show_error();
-  if (display().color == ColorBy::mesh_error && mesh_error.update(simulation)) show_error();
+  if (RecoveredMap::has(display().color) && recovered.update(simulation, display().color)) show_error();
 }
 
 void Session::measure_error() {
   if (display().color == ColorBy::error) true_error.measure(simulation);
-  if (display().color == ColorBy::mesh_error) mesh_error.measure(simulation);
+  if (RecoveredMap::has(display().color)) recovered.measure(simulation, display().color);
   show_error();
 }
 
 void Session::forget_errors() {
   true_error.forget();
-  mesh_error.forget();
+  recovered.forget();
 }
 
-// One buffer has the values of either heat map; none are known before the first measurement.
+// One buffer has the values of each of these heat maps; none are known before the first measurement.
 void Session::show_error() {
-  const bool of_mesh = display().color == ColorBy::mesh_error;
-  if (!of_mesh && display().color != ColorBy::error) return;
+  const bool is_recovered = RecoveredMap::has(display().color);
+  if (!is_recovered && display().color != ColorBy::error) return;
   std::vector<float> values(simulation.model.rest_positions.size(), 0);
-  if (of_mesh && !mesh_error.values().empty()) values = mesh_error.values();
-  if (!of_mesh && true_error.result()) values = true_error.result()->distance;
+  if (is_recovered && !recovered.values(display().color).empty()) values = recovered.values(display().color);
+  if (!is_recovered && true_error.result()) values = true_error.result()->distance;
   simulation.gpu()->set_vertex_errors(values);
 }
 

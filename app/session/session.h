@@ -12,7 +12,7 @@
 #include "render/view/camera.h"
 #include "sim/gpu/readback/lowest_point.h"
 #include "sim/grab/build_model.h"
-#include "sim/simulation/mesh_error_map.h"
+#include "sim/simulation/recovered_map.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/true_error.h"
 #include "sim/visual/shape_mesh.h"
@@ -32,7 +32,7 @@ class Session {
   Simulation simulation;
   TrueError true_error;
   bool follow_true_error = false;  // measurements in immediate succession
-  MeshErrorMap mesh_error;
+  RecoveredMap recovered;
   Camera camera;
   Eigen::Vector2d extent{
       -1, 1};  // Camera::extent of the body when it was framed: at rest by the first camera, or by frame_bodies()
@@ -72,7 +72,7 @@ class Session {
   /// of errors.
   void follow_error();
   void measure_error();  // the shown one at once, for a single picture; without the heat map of an error nothing
-  bool measuring_error() const { return true_error.busy() || mesh_error.busy(); }
+  bool measuring_error() const { return true_error.busy() || recovered.busy(); }
   void forget_errors();  // the state has jumped
   const VisualRegions* regions() const {
     return display().color == ColorBy::region ? &*regions_ : nullptr;

@@ -60,7 +60,7 @@ void Stage::save(const std::filesystem::path& path, bool with_mesh) {
 }
 
 void Stage::export_state(const std::filesystem::path& path) {
-  write_state(path, simulation().model, export_fields(simulation(), simulation().state()), provenance());
+  write_state(path, simulation().model, export_fields(simulation(), simulation().state(), path), provenance());
   messages.say("Exported " + path.string());
 }
 

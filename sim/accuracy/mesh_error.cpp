@@ -94,7 +94,8 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
   std::transform(squares.begin(), squares.end(), result.tets.begin(),
                  [&](double mean) { return static_cast<float>(std::sqrt(mean / (whole / all))); });
   result.peak = percentile_99(std::move(better));
-  if (result.peak > 0) result.peak_stress = std::abs(1 - percentile_99(std::move(own)) / result.peak);
+  result.peak_of_tets = percentile_99(std::move(own));
+  if (result.peak > 0) result.peak_stress = std::abs(1 - result.peak_of_tets / result.peak);
   return result;
 }
 

@@ -27,6 +27,7 @@ struct MeshError {
   double displacement = 0;  // |w| / int T* : D^-1 T*
   double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to the recovered one
   double peak = 0;          // that recovered one [Pa]
+  double peak_of_tets = 0;  // that of the tets themselves [Pa]
   /// [tet_count] of the squares: root of their mean in the tet over that of T* : D^-1 T* in the body.
   std::vector<float> tets{};
 };

@@ -21,12 +21,6 @@ using reference::Vector6d;
 // A direction in which the samples determine the polynomial ten thousand times less than in the best one is left flat.
 constexpr double kLeastEigenvalue = 1e-4;
 
-Vector6d components_of(const Matrix3d& s) {
-  Vector6d result;
-  result << s(0, 0), s(1, 1), s(2, 2), 0.5 * (s(1, 2) + s(2, 1)), 0.5 * (s(0, 2) + s(2, 0)), 0.5 * (s(0, 1) + s(1, 0));
-  return result;
-}
-
 template <std::size_t n>
 std::array<Vector3d, n> gather(const std::vector<Vector3d>& vectors, const ElementVertices& element) {
   std::array<Vector3d, n> result;
@@ -56,6 +50,12 @@ Eigen::Matrix<double, 10, 1> terms_at(const Vector3d& x) {
 }
 
 }  // namespace
+
+Vector6d components_of(const Matrix3d& s) {
+  Vector6d result;
+  result << s(0, 0), s(1, 1), s(2, 2), 0.5 * (s(1, 2) + s(2, 1)), 0.5 * (s(0, 2) + s(2, 0)), 0.5 * (s(0, 1) + s(1, 0));
+  return result;
+}
 
 Matrix3d matrix_of(const Vector6d& s) {
   Matrix3d m;

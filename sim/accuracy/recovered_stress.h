@@ -67,5 +67,6 @@ std::vector<PointStress> stresses_of(const Model& model, const State& state, std
 
 double volume_of(const Model& model, std::size_t tet);  // at rest [m^3]
 Eigen::Matrix3d matrix_of(const reference::Vector6d& components);
+reference::Vector6d components_of(const Eigen::Matrix3d& matrix);  // of its symmetric part
 
 }  // namespace fascia

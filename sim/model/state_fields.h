@@ -22,6 +22,9 @@ struct StateFields {
   std::vector<Eigen::Matrix<double, 6, 1>> green_strain;  // xx, yy, zz, yz, xz, xy, tensor shears [-]
   std::vector<double> von_mises;                          // of the Cauchy stress [Pa]
   std::vector<double> det_f;                              // J [-], exported as "J"
+  // Of the recovered Cauchy stress at vertices (sim/accuracy/nodal_stress.h)
+  std::vector<Eigen::Matrix<double, 6, 1>> recovered_stress;  // xx, yy, zz, yz, xz, xy [Pa]
+  std::vector<double> recovered_von_mises;                    // [Pa]
   // In scenes with tools
   std::vector<Eigen::Vector3d> contact_force;  // of the tools on the tissue, at its vertices [N]
   std::vector<double> contact_gap;             // signed distance to the nearest tool [m]; NaN inside the tissue

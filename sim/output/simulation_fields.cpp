@@ -1,7 +1,10 @@
 #include "sim/output/simulation_fields.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
+#include "base/file.h"
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/contact/contact_gap.h"
 #include "sim/visual/shape_mesh.h"
 
@@ -35,9 +38,16 @@ ToolSurface surface_of(const Tool& tool, const ToolPlace& place, const Model& mo
 
 }  // namespace
 
-StateFields export_fields(const Simulation& simulation, const State& state) {
+StateFields export_fields(const Simulation& simulation, const State& state, const std::filesystem::path& path) {
   const Model& model = simulation.model;
   StateFields fields = reference::export_fields(model, state);
+  const bool finite = std::all_of(state.displacement.begin(), state.displacement.end(),
+                                  [](const Vector3d& u) { return u.allFinite(); });
+  if (lower_ending(path) == ".vtu" && finite) {
+    NodalStress recovered = nodal_stress(model, state);
+    fields.recovered_stress = std::move(recovered.cauchy);
+    fields.recovered_von_mises = std::move(recovered.von_mises);
+  }
   if (!model.has_contact()) return fields;
   const std::vector<ToolPlace> places = simulation.tool_places();
   fields.contact_force = simulation.contact_forces();

@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3d> deformed(const TetMesh& rest, const StateFields& fi
 
 std::string vtu(const TetMesh& rest, const StateFields& fields) {
   static const std::vector<std::string_view> scalar = {""}, vector = {"x", "y", "z"},
-                                             strain = {"xx", "yy", "zz", "yz", "xz", "xy"};
+                                             tensor = {"xx", "yy", "zz", "yz", "xz", "xy"};
   const std::vector<Eigen::Vector3d> points = deformed(rest, fields);
   std::vector<std::int32_t> regions(rest.regions.begin(), rest.regions.end());
   regions.resize(rest.tets.size(), 0);
@@ -37,9 +37,11 @@ std::string vtu(const TetMesh& rest, const StateFields& fields) {
   };
   add(grid.point_arrays, "displacement", vector, fields.displacement);
   add(grid.point_arrays, "velocity", vector, fields.velocity);
+  add(grid.point_arrays, "recovered_stress", tensor, fields.recovered_stress);
+  add(grid.point_arrays, "recovered_von_mises", scalar, fields.recovered_von_mises);
   add(grid.point_arrays, "contact_force", vector, fields.contact_force);
   add(grid.point_arrays, "contact_gap", scalar, fields.contact_gap);
-  add(grid.cell_arrays, "green_strain", strain, fields.green_strain);
+  add(grid.cell_arrays, "green_strain", tensor, fields.green_strain);
   add(grid.cell_arrays, "von_mises", scalar, fields.von_mises);
   add(grid.cell_arrays, "J", scalar, fields.det_f);
   grid.cell_arrays.push_back({"region", "Int32", scalar, bytes_of(regions)});
@@ -127,7 +129,9 @@ void write_state(const fs::path& path, const TetMesh& rest, const StateFields& f
     return values.empty() || values.size() == count;
   };
   assert(fits(fields.displacement, rest.positions.size()) && fits(fields.velocity, rest.positions.size()) &&
-         fits(fields.contact_force, rest.positions.size()) && fits(fields.contact_gap, rest.positions.size()));
+         fits(fields.recovered_stress, rest.positions.size()) &&
+         fits(fields.recovered_von_mises, rest.positions.size()) && fits(fields.contact_force, rest.positions.size()) &&
+         fits(fields.contact_gap, rest.positions.size()));
   assert(fits(fields.green_strain, rest.tets.size()) && fits(fields.von_mises, rest.tets.size()) &&
          fits(fields.det_f, rest.tets.size()));
   const std::string ending = lower_ending(path);

@@ -74,7 +74,8 @@ Json to_json(const Errors& errors) {
   if (errors.solver) json["solver"] = *errors.solver;
   if (errors.time) json["time"] = *errors.time;
   json["mesh"] = errors.mesh;
-  json["peak_stress"] = {{"mesh", errors.peak_stress}};
+  json["peak_stress"] = {
+      {"mesh", errors.peak_stress}, {"recovered_Pa", errors.peak_recovered}, {"tets_Pa", errors.peak_of_tets}};
   return json;
 }
 

@@ -12,11 +12,13 @@
 
 namespace fascia {
 
-/// What the last state is off by, told apart by cause. All are relative to the displacements, apart from the last one.
+/// What the last state is off by, told apart by cause. Errors are relative, of the
+/// displacements apart from that of the peak stress.
 struct Errors {
-  std::optional<double> solver;      // of the last step, RMS over RMS displacement
-  std::optional<double> time;        // TimeError
-  double mesh = 0, peak_stress = 0;  // MeshError
+  std::optional<double> solver;                 // of the last step, RMS over RMS displacement
+  std::optional<double> time;                   // TimeError
+  double mesh = 0, peak_stress = 0;             // MeshError
+  double peak_recovered = 0, peak_of_tets = 0;  // [Pa] von Mises stress that 1 % of the volume exceeds
 };
 
 struct RunStats {

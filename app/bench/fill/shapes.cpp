@@ -4,6 +4,9 @@
 #include <functional>
 #include <numbers>
 
+#include "base/file.h"
+#include "base/number_text.h"
+
 namespace fascia {
 namespace {
 
@@ -146,6 +149,14 @@ std::vector<Shape> fill_shapes() {
                          })},
       {"shell", hollow(ball(0.1), ball(0.085))},
   };
+}
+
+void write_shape(const std::filesystem::path& path, const SurfaceMesh& surface) {
+  NumberText out;
+  for (const Vector3d& x : surface.positions) out.add("v ").add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add('\n');
+  for (const Triangle& t : surface.triangles)
+    out.add("f ").add(t[0] + 1).add(' ').add(t[1] + 1).add(' ').add(t[2] + 1).add('\n');
+  write_file(path, out.take());
 }
 
 }  // namespace fascia

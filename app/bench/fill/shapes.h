@@ -1,6 +1,7 @@
 // Closed surfaces of the kinds that users fill with tets: solids, organs, vessels, plates, shells, and shapes with
 // sharp edges.
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,8 @@ struct Shape {
 
 /// Twenty of them, each about 0.2 m wide.
 std::vector<Shape> fill_shapes();
+
+/// As a .obj file.
+void write_shape(const std::filesystem::path& path, const SurfaceMesh& surface);
 
 }  // namespace fascia

@@ -52,7 +52,8 @@ void SurfacePositions::record(gl::ProgramCache& programs, const SimBuffers& buff
                                     {"rest_position", &buffers.rest_position},
                                     {"displacement", &buffers.displacement},
                                     {"position", &positions_}};
-  const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error || color == ColorBy::mesh_error;
+  const bool heat = is_heat_map(color), by_vertex = color == ColorBy::error || color == ColorBy::mesh_error ||
+                                                    color == ColorBy::recovered_von_mises;
   const bool by_force = color == ColorBy::contact_pressure, touches = by_force && contact.acts();
   const bool by_tet = heat && !by_vertex && !by_force && color != ColorBy::displacement && color != ColorBy::velocity;
   if (by_vertex) {

@@ -23,7 +23,8 @@ enum class ColorBy {
   smallest_stress,
   error,
   contact_pressure,
-  mesh_error
+  mesh_error,
+  recovered_von_mises
 };
 
 struct Quantity {

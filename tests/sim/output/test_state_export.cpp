@@ -23,6 +23,10 @@ StateFields sample_fields() {
   for (int v = 0; v < 6; ++v) {
     fields.displacement.push_back({0.1 * v, -1.0 / 3, 1e-17 * v});
     fields.velocity.push_back({1.0 * v, 2, 3});
+    Eigen::Matrix<double, 6, 1> stress;
+    stress << 10 * v, 2, 3, 4, 5, 6;
+    fields.recovered_stress.push_back(stress);
+    fields.recovered_von_mises.push_back(7e4 + v);
   }
   for (int t = 0; t < 2; ++t) {
     Eigen::Matrix<double, 6, 1> strain;
@@ -81,11 +85,14 @@ TEST_CASE("a state as .vtu contains deformed points and every field", "[export]"
   auto points = arrays(folder / "state.vtu", "PointData");
   CHECK(back.mesh.region_names == mesh.region_names);
   CHECK(back.mesh.groups == mesh.groups);
-  CHECK(points.size() == 2 + groups_beyond_regions(mesh).size());
+  CHECK(points.size() == 4 + groups_beyond_regions(mesh).size());
   CHECK(points["displacement"].components == 3);
   CHECK(points["displacement"].values == numbers_of(fields.displacement));
   CHECK(points["velocity"].components == 3);
   CHECK(points["velocity"].values == numbers_of(fields.velocity));
+  CHECK(points["recovered_stress"].components == 6);
+  CHECK(points["recovered_stress"].values == numbers_of(fields.recovered_stress));
+  CHECK(points["recovered_von_mises"].values == fields.recovered_von_mises);
   auto cells = arrays(folder / "state.vtu", "CellData");
   CHECK(cells.size() == 4);
   CHECK(cells["green_strain"].components == 6);

@@ -153,10 +153,11 @@ TEST_CASE("a wrong type reports the value found and the one expected") {
   CHECK(top_error(R"("display": {"wireframe": 1})") == "s.json: display.wireframe: is 1; expected true or false");
   CHECK(top_error(R"("display": {"color": "red"})") ==
         "s.json: display.color: is \"red\"; expected one of none, region, strain, von_mises, displacement, velocity, "
-        "volume_ratio, largest_stress, smallest_stress, error, contact_pressure, mesh_error");
+        "volume_ratio, largest_stress, smallest_stress, error, contact_pressure, mesh_error, recovered_von_mises");
   CHECK(top_error(R"("display": {"color": "mises"})") ==
         "s.json: display.color: is \"mises\", perhaps \"von_mises\"; expected one of none, region, strain, von_mises, "
-        "displacement, velocity, volume_ratio, largest_stress, smallest_stress, error, contact_pressure, mesh_error");
+        "displacement, velocity, volume_ratio, largest_stress, smallest_stress, error, contact_pressure, mesh_error, "
+        "recovered_von_mises");
   CHECK(top_error(R"("display": {"color_map": "rainbow"})") ==
         "s.json: display.color_map: is \"rainbow\"; expected one of automatic, dusk, ember, polar, grey");
   CHECK(top_error(R"("display": {"background": "whit"})") ==

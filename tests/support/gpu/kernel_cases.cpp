@@ -139,7 +139,7 @@ void run_all(const KernelCase& example, gl::ProgramCache& programs, const std::f
   if (example.grabbed) solver.set_grab({{tip, {0, 0.01, 0}, 20}, {tip - 1, {0, 0.01, 0}, 20}});
   if (example.compensated) solver.set_compensated(true);
   LowestPoint lowest(programs, solver.positions(), {0, tip});
-  for (int color = 0; color <= static_cast<int>(ColorBy::mesh_error); ++color) {
+  for (int color = 0; color <= static_cast<int>(ColorBy::recovered_von_mises); ++color) {
     if (color > 1 && !example.every_heat_map) continue;
     solver.set_color(static_cast<ColorBy>(color));
     if (color < 2) solver.step();

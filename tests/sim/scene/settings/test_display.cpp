@@ -23,7 +23,7 @@ void check_table(const std::vector<Enumeration>& all, std::size_t count) {
 }  // namespace
 
 TEST_CASE("every value of an enumeration has a unique name and a help, in order") {
-  check_table(all_colors(), static_cast<std::size_t>(ColorBy::mesh_error) + 1);
+  check_table(all_colors(), static_cast<std::size_t>(ColorBy::recovered_von_mises) + 1);
   check_table(all_color_maps(), static_cast<std::size_t>(ColorMap::grey) + 1);
   check_table(all_backgrounds(), static_cast<std::size_t>(Background::transparent) + 1);
   check_table(all_legend_sides(), static_cast<std::size_t>(LegendSide::off) + 1);

@@ -1,0 +1,35 @@
+// The Cauchy stress recovered at vertices, where the tets around disagree, as fields of exports and heat maps.
+//
+//   linear tets:     min over sigma*  of int |sum_a L_a sigma*_a - sigma_t|^2 dV     (Oden, Brauchli 1971; Hinton,
+//   Campbell 1974) quadratic tets:  sigma(v) = sum_t V_t sym(R_t T*(X_v) F_t^T) / sum_t V_t |J_t|   with T* of
+//   sim/accuracy/recovered_stress.h
+//
+// The fit over the whole body keeps concentrations of stress that means over the tets around a vertex flatten. The
+// polynomials of T*, which are nearest to the truth from quadratic tets, overshoot at the surface of linear ones.
+// Stress jumps where materials meet, so they are not mixed: a vertex of several has the stress of the one with the
+// largest von Mises stress.
+#pragma once
+#include <stop_token>
+#include <vector>
+
+#include "sim/model/model.h"
+#include "sim/model/state.h"
+#include "sim/reference/elasticity.h"
+
+namespace fascia {
+
+struct NodalStress {
+  std::vector<reference::Vector6d> cauchy;  // [vertex_count] xx, yy, zz, yz, xz, xy [Pa]; zero without tets
+  std::vector<double> von_mises;            // [vertex_count] [Pa]
+};
+
+/// Zeros once `stop` is requested.
+NodalStress nodal_stress(const Model& model, const State& state, const std::stop_token& stop = {});
+
+/// [vertex_count] shares of the volume of the tets [m^3], as of lumped masses.
+std::vector<double> vertex_volumes(const Model& model);
+
+/// The value that 1 % of the volume exceeds; `volumes` is as long as `values`.
+double exceeded_by_a_hundredth(const std::vector<double>& values, const std::vector<double>& volumes);
+
+}  // namespace fascia
