@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "sim/grab/build_model.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
+#include "sim/model/model.h"
 
 namespace fascia {
 
@@ -16,7 +18,10 @@ TetMesh StressCases::beam(double length) const {
   return make_box(along, across, across, {length, kBarWidth, kBarWidth});
 }
 
-Scene StressCases::scene(const std::string& mesh_name, const TetMesh& mesh, bool clamped) const {
+Scene StressCases::scene(const std::string& mesh_name, const TetMesh& mesh, bool clamped) {
+  const std::uint64_t hash = mesh_hash(mesh);
+  if (const auto [known, added] = meshes.emplace(mesh_name, hash); !added && known->second != hash)
+    throw std::logic_error("stress suite: two meshes have the name " + mesh_name);
   write_mesh(folder / "meshes" / (mesh_name + ".msh"), mesh);
   Scene made;
   made.file = folder / "stress.json";
@@ -64,6 +69,15 @@ SolverSettings StressCases::solver() const {
   settings.acceleration = pair.acceleration;
   settings.integrator = integrator;
   return settings;
+}
+
+GrabInput grip_end(const Model& built, const Vector3d& offset) {
+  GrabInput springs;
+  const double stiffness = 3 * 1e6 * 0.08 * 0.5 * kBarSize;
+  for (std::uint32_t v = 0; v < built.rest_positions.size(); ++v)
+    if (built.rest_positions[v].x() > 0.99 * kBarLength) springs.push_back({v, offset, 0});
+  for (GrabSpring& spring : springs) spring.stiffness = stiffness / static_cast<double>(springs.size());
+  return springs;
 }
 
 std::string in_short(double value) {

@@ -6,7 +6,7 @@ namespace fascia {
 
 using AddCases = void(StressCases& c);
 AddCases add_starts, add_numbers, add_conservation, add_meshes, add_handling, add_standing, add_slender, add_contact,
-    add_bodies;
+    add_bodies, add_tangles;
 
 std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, Integrator integrator,
                                      const std::filesystem::path& folder, bool quick) {
@@ -15,7 +15,7 @@ std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel mod
   if (ec) throw Error((folder / "meshes").string(), "cannot be made: " + ec.message(), "expected a writable folder");
   StressCases c{pair, model, integrator, folder, quick};
   for (AddCases* add : {add_starts, add_numbers, add_conservation, add_meshes, add_handling, add_standing, add_slender,
-                        add_contact, add_bodies})
+                        add_contact, add_bodies, add_tangles})
     add(c);
   return std::move(c.cases);
 }

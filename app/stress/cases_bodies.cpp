@@ -56,7 +56,7 @@ void add_bodies(StressCases& c) {
   for (const double speed : {1.0, 3.0, 10.0})
     for (const double young : {1e4, 1e6}) {
       const int cells = c.quick ? 3 : 5;
-      Scene s = two(c, "cube", make_box(cells, cells, cells, {kSide, kSide, kSide}), young);
+      Scene s = two(c, "colliding_cube", make_box(cells, cells, cells, {kSide, kSide, kSide}), young);
       s.bodies[1].transform.translate = {kSide + 0.01, 0.03, 0.02};
       s.bodies[0].initial_velocity = Vector3d(0.5 * speed, 0, 0);
       s.bodies[1].initial_velocity = Vector3d(-0.5 * speed, 0, 0);

@@ -11,16 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Springs on the vertices near the free end, as a grab creates them: together as stiff as tissue indented by a disc.
-GrabInput grip(const Model& built, const Vector3d& offset) {
-  GrabInput springs;
-  const double stiffness = 3 * 1e6 * 0.08 * 0.5 * kBarSize;
-  for (std::uint32_t v = 0; v < built.rest_positions.size(); ++v)
-    if (built.rest_positions[v].x() > 0.99 * kBarLength) springs.push_back({v, offset, 0});
-  for (GrabSpring& spring : springs) spring.stiffness = stiffness / static_cast<double>(springs.size());
-  return springs;
-}
-
 // `during` makes the inputs of the first 80 steps; then the grab is released and 160 more follow.
 void handled(StressCases& c, const std::string& name, double farthest,
              const std::function<void(long step, const Model&, std::vector<Input>&)>& during) {
@@ -43,13 +33,13 @@ void handled(StressCases& c, const std::string& name, double farthest,
 void add_handling(StressCases& c) {
   handled(c, "grab pulled 10 sizes away", 12, [&](long step, const Model& built, std::vector<Input>& inputs) {
     const double share = std::min(1.0, step / 30.0);
-    inputs.push_back({step, grip(built, 10 * kBarSize * share * Vector3d(0.8, 0.6, 0))});
+    inputs.push_back({step, grip_end(built, 10 * kBarSize * share * Vector3d(0.8, 0.6, 0))});
   });
   handled(c, "grab shaken at 30 Hz", 12, [&](long step, const Model& built, std::vector<Input>& inputs) {
-    inputs.push_back({step, grip(built, (step % 2 ? 1 : -1) * kBarSize * Vector3d(0.3, 1, 0.5))});
+    inputs.push_back({step, grip_end(built, (step % 2 ? 1 : -1) * kBarSize * Vector3d(0.3, 1, 0.5))});
   });
   handled(c, "grab through the body", 3, [&](long step, const Model& built, std::vector<Input>& inputs) {
-    inputs.push_back({step, grip(built, std::min(1.0, step / 60.0) * Vector3d(-2 * kBarLength, 0, 0))});
+    inputs.push_back({step, grip_end(built, std::min(1.0, step / 60.0) * Vector3d(-2 * kBarLength, 0, 0))});
   });
   std::mt19937 random(5);
   handled(c, "sliders scrubbed every frame", 100, [&](long step, const Model&, std::vector<Input>& inputs) {

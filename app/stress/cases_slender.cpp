@@ -24,7 +24,7 @@ TetMesh trunk(bool quick) {
   return mesh;
 }
 
-Scene trunk_scene(const StressCases& c) {
+Scene trunk_scene(StressCases& c) {
   Scene s = c.scene("trunk", trunk(c.quick));
   s.bodies[0].material.young_modulus = kTrunkModulus;
   s.bodies[0].material.poisson_ratio = 0.49;

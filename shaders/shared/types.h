@@ -14,7 +14,7 @@ struct StepValues {
   vec4 solver;    // x spectral radius for Chebyshev acceleration, 0: estimated; y iterations, z tolerance, w 1 / mean
                   // mass [1/kg]
   vec4 material;  // for a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w
-                  // model
+                  // model, with the fractions of sim/elasticity/feature_material.glsl
   vec4 guard;  // x distance from its prediction at which a vertex counts as diverged [m]; y duration of the stage [s],
                // z its extrapolation p [-]
 };

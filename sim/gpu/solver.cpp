@@ -53,6 +53,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
 }
 
 void GpuSolver::make_method() {
+  tangles_.reset();  // the order of the tets may change
   const MethodKernels& kernels = kernels_of(settings_.method);
   const MethodInputs inputs{programs_, model_, buffers_, settings_};
   regions_.reset();
@@ -94,6 +95,7 @@ void GpuSolver::upload(const State& state) {
   starts_inside_out_ = needs_unfolding(given_, state);
   if (unfolding_ && !starts_inside_out_) end_unfolding();
   state_changed();
+  ease(false);
   if (buffers_.earlier_displacement) earlier_step_ = state.earlier.step;
   guard_.keep(buffers_, {time_, earlier_step_});
 }
@@ -113,6 +115,7 @@ void GpuSolver::state_changed() {
   published_ = false;
   earlier_step_ = 0;
   restart_rounds();
+  if (tangles_) tangles_->restart();
   if (method_) method_->forget_contact();
   contact_.forget_forces();
 }
@@ -252,6 +255,7 @@ void GpuSolver::follow(const GpuSolver& leader) {
   if (led_motion_) led_motion_->from = led_motion_->to;
   time_ = leader.time_;
   state_changed();
+  if (tangles_ && leader.tangles_) tangles_->follow(*leader.tangles_);
   if (leader.earlier_step_ == 0 || !buffers_.earlier_displacement) return;
   earlier_step_ = leader.earlier_step_;
   buffers_.earlier_displacement.copy(leader.buffers_.earlier_displacement, buffers_.earlier_displacement.bytes());

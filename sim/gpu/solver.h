@@ -23,6 +23,7 @@
 #include "sim/gpu/readback/state_guard.h"
 #include "sim/gpu/readback/step_snapshot.h"
 #include "sim/gpu/readback/surface_positions.h"
+#include "sim/gpu/readback/tangle_watch.h"
 #include "sim/gpu/resting_regions.h"
 #include "sim/model/unconstrained_parts.h"
 
@@ -197,6 +198,8 @@ class GpuSolver {
   void choose_passes();
   void unfold();  // before a step (sim/gpu/unfolding.h)
   void end_unfolding();
+  bool handled() const;   // whether a grab, a tool or a prescribed motion acts
+  void ease(bool eased);  // the law squared, or no longer (sim/gpu/readback/tangle_watch.h)
   void state_changed();
   void restart_rounds();                               // of what looks at the state every few steps
   std::uint32_t vertex_at(std::uint32_t place) const;  // `place`: as read back
@@ -256,6 +259,7 @@ class GpuSolver {
     int steps = 0;
   };
   std::optional<Unfolding> unfolding_;
+  std::optional<TangleWatch> tangles_;  // with the law squared
   bool has_step_ = false;
   unsigned materials_version_ = 0;  // changes of materials and gravity so far
 };

@@ -35,6 +35,12 @@ void GpuSolver::record() {
   if (first && watch_) watch_->restart();
   whole_ = apart_ = partial_ = {};
   take(kind);
+  if (!features_.models.contains(MaterialModel::squared)) {
+    tangles_.reset();
+    ease(false);
+  } else if (!tangles_) {
+    tangles_.emplace(programs_, buffers_);
+  }
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, terms_);
   surface_.record(programs_, buffers_, features_, color_, contact_);
   published_ = false;

@@ -216,9 +216,19 @@ void GpuSolver::end_unfolding() {
   materials_changed();
 }
 
+bool GpuSolver::handled() const { return !springs_.empty() || touches() || time_ < given_.end_of_motions(); }
+
+void GpuSolver::ease(bool eased) {
+  if (eased == buffers_.eased) return;
+  buffers_.eased = eased;
+  buffers_.upload_materials(model_);
+  upload_step(next_stages().front());
+}
+
 void GpuSolver::step() {
   const gl::KeptBindings kept;
   if (starts_inside_out_ || unfolding_) unfold();
+  if (tangles_ && !buffers_.displacement_low) ease(tangles_->is_eased(time_, handled()));
   look_beside();
   choose_passes();
   begin_step();

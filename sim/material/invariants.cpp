@@ -35,8 +35,7 @@ FromRest from_rest(const Matrix3d& f) {
   return r;
 }
 
-OfVolume above_extended_log(double volume) {
-  constexpr double least = kLeastVolumeRatio;
+OfVolume above_extended_log(double volume, double least) {
   const double j = 1 + volume;
   if (j >= least) return {volume - std::log1p(volume), volume / j, 1 / (j * j)};
   const double y = (j - least) / least;

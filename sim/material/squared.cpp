@@ -16,7 +16,7 @@ Density squared_density(const Matrix3d& f, const Material& material, bool with_s
   const double mu = material.lame_mu();
   const FromRest r = from_rest(f);
   const Matrix3d c = Matrix3d::Identity() + r.cofactor;
-  const OfVolume above = above_extended_log(r.volume),
+  const OfVolume above = above_extended_log(r.volume, kLeastVolumeRatioOfSquared),
                  volume = volume_term(1 + r.volume, material.lame_lambda() - 2 * mu / 3);
   const double g1 = mu * above.first + volume.first, g2 = mu * above.second + volume.second;
   Density density;

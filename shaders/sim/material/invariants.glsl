@@ -30,14 +30,13 @@ struct OfVolume {
   float value, first, second;
 };
 
-// J - 1 - l(J), where l is the logarithm, continued as a parabola below LEAST_VOLUME_RATIO; j1 = J - 1.
+// J - 1 - l(J), where l is the logarithm, continued as a parabola below J = least; j1 = J - 1.
 #define LEAST_VOLUME_RATIO 0.2
-OfVolume above_extended_log(float j1) {
+OfVolume above_extended_log(float j1, float least) {
   float j = 1.0 + j1;
-  if (j >= LEAST_VOLUME_RATIO) return OfVolume(above_logarithm(j1), j1 / j, 1.0 / (j * j));
-  float y = (j - LEAST_VOLUME_RATIO) / LEAST_VOLUME_RATIO;
-  return OfVolume(j1 - (log(LEAST_VOLUME_RATIO) + y - 0.5 * y * y), 1.0 - (1.0 - y) / LEAST_VOLUME_RATIO,
-                  1.0 / (LEAST_VOLUME_RATIO * LEAST_VOLUME_RATIO));
+  if (j >= least) return OfVolume(above_logarithm(j1), j1 / j, 1.0 / (j * j));
+  float y = (j - least) / least;
+  return OfVolume(j1 - (log(least) + y - 0.5 * y * y), 1.0 - (1.0 - y) / least, 1.0 / (least * least));
 }
 
 // k (J - 1)^2 / 2; k (log J)^2 / 2 if k < 0 and J > 1.

@@ -11,7 +11,7 @@ MooneyRivlin mooney_rivlin_of(vec4 material) {
 Elastic mooney_rivlin_response(mat3 h, vec4 material) {
   MooneyRivlin m = mooney_rivlin_of(material);
   float j1 = det_f_minus_one(h), trace = h[0].x + h[1].y + h[2].z, higher = j1 - trace;
-  OfVolume above = above_extended_log(j1), volume = volume_term(j1, m.k);
+  OfVolume above = above_extended_log(j1, LEAST_VOLUME_RATIO), volume = volume_term(j1, m.k);
   mat3 c1 = cofactor_minus_one(h);
   float trace_c = c1[0].x + c1[1].y + c1[2].z;
   // F x C - 2 I - 2 C1, without the identities that cancel.
@@ -25,7 +25,7 @@ Elastic mooney_rivlin_response(mat3 h, vec4 material) {
 float mooney_rivlin_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
   MooneyRivlin m = mooney_rivlin_of(material);
   float j1 = det_f_minus_one(h);
-  OfVolume above = above_extended_log(j1), volume = volume_term(j1, m.k);
+  OfVolume above = above_extended_log(j1, LEAST_VOLUME_RATIO), volume = volume_term(j1, m.k);
   mat3 f = mat3(1.0) + h, cofactor = mat3(1.0) + cofactor_minus_one(h), ab = tensor_cross(a, b);
   return m.two_c1 * inner(a, b) + m.two_c2 * (inner(tensor_cross(f, a), tensor_cross(f, b)) + inner(cofactor, ab)) +
          (m.d * above.second + volume.second) * inner(cofactor, a) * inner(cofactor, b) +
@@ -36,7 +36,7 @@ float mooney_rivlin_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
 Sym3 mooney_rivlin_block(mat3 h, vec4 material, vec3 b) {
   MooneyRivlin m = mooney_rivlin_of(material);
   float j1 = det_f_minus_one(h);
-  float outer = max(0.0, m.d * above_extended_log(j1).second + volume_term(j1, m.k).second);
+  float outer = max(0.0, m.d * above_extended_log(j1, LEAST_VOLUME_RATIO).second + volume_term(j1, m.k).second);
   vec3 cb = b + cofactor_minus_one(h) * b;
   mat3 f = mat3(1.0) + h, w = mat3(b.y * f[2] - b.z * f[1], b.z * f[0] - b.x * f[2], b.x * f[1] - b.y * f[0]);
   vec3 squares = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];

@@ -78,6 +78,8 @@ struct SimBuffers {
                               // without tools, as the next one
   gl::Buffer contact_before;  // the same at the start of the stage
 
+  bool eased = false;  // the law squared; upload_materials() and upload_step() pass it on
+
   gl::Buffer diverged;  // uint [1] smallest index of a diverged vertex (shaders/sim/step/velocity.comp), ~0 for none
 
   gl::Buffer step;  // uniform block Step (shared::StepValues)

@@ -1,11 +1,13 @@
 // The cases of the stress suite as they are made: that each is what its name says, and can be simulated.
 // Covers: case_maker, cases_conservation, cases_bodies, cases_contact, cases_handling, cases_meshes, cases_numbers
-// Covers: cases_slender, cases_standing, cases_starts
+// Covers: cases_slender, cases_standing, cases_starts, cases_tangles
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <map>
 #include <set>
 
+#include "app/stress/case_maker.h"
 #include "app/stress/stress.h"
 #include "sim/grab/build_model.h"
 #include "sim/material/tissues.h"
@@ -89,7 +91,17 @@ TEST_CASE("every case of the stress suite has a unique name and can be simulated
   CHECK(groups["standing"] == (carries_tissue ? 24 : 0));
   CHECK(groups["contact"] == (info_of(pair.method).carries_contact ? 30 : 0));
   CHECK(groups["slender"] == (carries_tissue ? 4 : 0));
+  CHECK(groups["tangles"] == (carries_tissue ? 12 : 0));
   CHECK(suite.has("method switched every frame") == (pair == solver_choices().front()));
+}
+
+TEST_CASE("a mesh of the stress suite keeps its name for itself", "[cases]") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "meshes");
+  StressCases made{solver_choices().front(), kTissueLaw, Integrator::implicit_euler, folder.path(), true};
+  made.scene("beam", made.beam());
+  made.scene("beam", made.beam());
+  CHECK_THROWS_AS(made.scene("beam", made.beam(1)), std::logic_error);
 }
 
 TEST_CASE("starts of the stress suite have the disorder in their names", "[cases]") {
@@ -141,6 +153,7 @@ TEST_CASE("standing bodies of the stress suite weigh what their names say, on a 
     CHECK(model.materials[0].density * 9.81 * 0.4 / model.materials[0].young_modulus == Approx(0.8));
     CHECK(model.materials[0].poisson_ratio == 0.49);
     CHECK(model.fixed.size() == 16);  // of 4 x 4 x 4 vertices
+    CHECK(report_of(model).box_max.y() == Approx(0.4));
     for (const std::uint32_t v : model.fixed) CHECK(model.rest_positions[v].y() < 1e-9);
     CHECK(made.criteria.carries_its_weight);
     CHECK(report_of(model).flipped == 0);

@@ -1,0 +1,62 @@
+#include "sim/gpu/readback/tangle_watch.h"
+
+#include <bit>
+
+#include "sim/gpu/passes/reduction.h"
+
+namespace fascia {
+namespace {
+
+constexpr double kUprightRatio = 0.3;  // J
+constexpr double kLongest = 2;         // [s]
+
+}  // namespace
+
+void Easing::look(double least, double time, bool handled) {
+  if (handled) armed_ = true;
+  if (least > kUprightRatio) {
+    eased_ = false;
+    armed_ = true;
+  } else if (least <= 0 && !eased_ && armed_) {
+    eased_ = true;
+    until_ = time + kLongest;
+  } else if (eased_ && handled) {
+    until_ = time + kLongest;
+  } else if (eased_ && time >= until_) {
+    eased_ = armed_ = false;
+  }
+}
+
+TangleWatch::TangleWatch(gl::ProgramCache& programs, const SimBuffers& buffers)
+    : compression_("compression", sizeof(std::uint32_t)),
+      read_back_(gl::Buffer::staging("compression_read_back", sizeof(std::uint32_t))),
+      measure_(programs.compute("sim/readback/compression.comp"),
+               gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
+                                         {"tet_vertices", &buffers.tet_vertices},
+                                         {"tet_shape", &buffers.tet_shape},
+                                         {"compression", &compression_}},
+               Reduction(programs, buffers.tet_count, true).lanes,
+               gl::ComputePass::Constants{{"tet_count", buffers.tet_count}}) {}
+
+bool TangleWatch::is_eased(double time, bool handled) {
+  if (age_ >= kInterval) {
+    if (fence_.take(true))
+      easing_.look(1 - static_cast<double>(std::bit_cast<float>(read_back_.read<std::uint32_t>().front())), time,
+                   handled);
+    compression_.clear();
+    measure_.run();
+    read_back_.copy(compression_, sizeof(std::uint32_t));
+    fence_.set();
+    age_ = 0;
+  }
+  ++age_;
+  return easing_.eased();
+}
+
+void TangleWatch::restart() {
+  fence_.clear();
+  easing_ = {};
+  age_ = kInterval;
+}
+
+}  // namespace fascia
