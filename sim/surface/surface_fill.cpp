@@ -33,7 +33,7 @@ int resolution_for(const SurfaceReport& report, double tets) {
 std::string remedy_for_thin_parts(const SurfaceReport& report, int resolution) {
   const double longest = report.box.sizes().maxCoeff(), spacing = 2 * std::abs(report.volume) / report.area;
   const int most = resolution_for(report, kMostTets);
-  const int fine = std::clamp(static_cast<int>(std::ceil(longest / spacing)), resolution + 1, kMostCells);
+  const int fine = static_cast<int>(std::fmin(std::fmax(std::ceil(longest / spacing), resolution + 1), kMostCells));
   if (resolution >= most) return "no finer resolution is possible: thicken the thin parts, or make the tets elsewhere";
   const int chosen = std::min(fine, most);
   const long thousands = std::max(1L, std::lround(expected_tets(report, longest / chosen) / 1000));
