@@ -18,7 +18,7 @@ bool is_within(const std::string& path, const std::string& ancestor) {
 
 }  // namespace
 
-std::string option_of(const std::string& key) { return key.starts_with("--") ? key : "--set " + on_one_line(key); }
+std::string option_of(const std::string& key) { return (key.starts_with("--") ? "" : "--set ") + on_one_line(key); }
 
 std::string DocumentOrigin::where(const std::string& path) const {
   for (auto it = overrides.rbegin(); it != overrides.rend(); ++it) {
