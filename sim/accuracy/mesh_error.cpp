@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/material/law.h"
 
@@ -45,21 +46,6 @@ Densities densities_at(const PointStress& own, const Vector6d& recovered, const 
   return densities;
 }
 
-struct Share {
-  double value, volume;
-};
-
-double percentile_99(std::vector<Share> shares) {
-  std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.value > b.value; });
-  double whole = 0, above = 0;
-  for (const Share& share : shares) whole += share.volume;
-  for (const Share& share : shares) {
-    above += share.volume;
-    if (above >= 0.01 * whole) return share.value;
-  }
-  return 0;
-}
-
 }  // namespace
 
 MeshError estimate_mesh_error(const Model& model, const State& state, const std::stop_token& stop) {
@@ -68,8 +54,8 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
   const RecoveredStress recovered(model, state, stop);
   std::vector<Eigen::Vector4d> points;
   for (const VolumePoint& point : volume_points()) points.push_back(point.barycentric);
-  std::vector<double> squares;  // [tet_count] mean [J/m^3]
-  std::vector<Share> own, better;
+  std::vector<double> squares;               // [tet_count] mean [J/m^3]
+  std::vector<double> own, better, volumes;  // [point of a tet]
   double work = 0, whole = 0, all = 0;
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     if (stop.stop_requested()) return result;
@@ -85,16 +71,17 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
       squares.back() += share * densities.squares;
       work += weight * densities.work;
       whole += weight * densities.whole;
-      own.push_back({von_mises_of(stresses[p], stresses[p].stress), weight});
-      better.push_back({von_mises_of(stresses[p], star), weight});
+      own.push_back(von_mises_of(stresses[p], stresses[p].stress));
+      better.push_back(von_mises_of(stresses[p], star));
+      volumes.push_back(weight);
     }
   }
   if (!(whole > 0)) return result;
   result.displacement = std::abs(work) / whole;
   std::transform(squares.begin(), squares.end(), result.tets.begin(),
                  [&](double mean) { return static_cast<float>(std::sqrt(mean / (whole / all))); });
-  result.peak = percentile_99(std::move(better));
-  result.peak_of_tets = percentile_99(std::move(own));
+  result.peak = exceeded_by_a_hundredth(better, volumes);
+  result.peak_of_tets = exceeded_by_a_hundredth(own, volumes);
   if (result.peak > 0) result.peak_stress = std::abs(1 - result.peak_of_tets / result.peak);
   return result;
 }

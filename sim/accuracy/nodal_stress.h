@@ -1,8 +1,11 @@
-// The Cauchy stress recovered at vertices, where the tets around disagree, as fields of exports and heat maps.
+// The Cauchy stress recovered at vertices, where the tets around disagree, as fields of exports and heat maps:
+// of linear tets the least over sigma* of
 //
-//   linear tets:     min over sigma*  of int |sum_a L_a sigma*_a - sigma_t|^2 dV     (Oden, Brauchli 1971; Hinton,
-//   Campbell 1974) quadratic tets:  sigma(v) = sum_t V_t sym(R_t T*(X_v) F_t^T) / sum_t V_t |J_t|   with T* of
-//   sim/accuracy/recovered_stress.h
+//   int |sum_a L_a sigma*_a - sigma_t|^2 dV
+//
+// (Oden, Brauchli 1971; Hinton, Campbell 1974), and of quadratic ones, with T* of sim/accuracy/recovered_stress.h,
+//
+//   sigma(v) = sum_t V_t sym(R_t T*(X_v) F_t^T) / sum_t V_t |J_t|
 //
 // The fit over the whole body keeps concentrations of stress that means over the tets around a vertex flatten. The
 // polynomials of T*, which are nearest to the truth from quadratic tets, overshoot at the surface of linear ones.

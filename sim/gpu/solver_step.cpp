@@ -72,8 +72,8 @@ void GpuSolver::place_tools(double duration) {
 }
 
 // What begins to press within the iterations, or leaves what it touched, would be held as at the start of the stage:
-// ten iterations under a moving box are 1.6 % off without later updates, 1.4 % with one before every fourth iteration,
-// 0.2 % before every second, and the same before every one.
+// ten iterations under a moving box are 1.4 % off with an update before every fourth iteration, 0.2 % before every
+// second, and the same before every one.
 bool GpuSolver::takes_contact(int iteration) const {
   constexpr int kInterval = 2;
   return touches() && iteration % kInterval == 0;

@@ -12,8 +12,7 @@
 
 namespace fascia {
 
-/// What the last state is off by, told apart by cause. Errors are relative, of the
-/// displacements apart from that of the peak stress.
+/// What the last state is off by, told apart by cause: relative errors, of the displacements and of the peak stress.
 struct Errors {
   std::optional<double> solver;                 // of the last step, RMS over RMS displacement
   std::optional<double> time;                   // TimeError

@@ -62,7 +62,7 @@ SolverSettings awake(int iterations) {
 TEST_CASE("bodies collide on the GPU as in the reference, step by step from the same states", "[gpu][contact]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   test::Gpu gpu(loads);
-  const auto [iterations, largest_error] = GENERATE(std::pair(10, 0.02), std::pair(20, 0.01));
+  const auto [iterations, largest_error] = GENERATE(std::pair(10, 0.02), std::pair(20, 0.005));
   const Model model = two_cubes({1, 0, 0});
   GpuSolver solver(gpu.programs, model, awake(iterations));
   const double error = error_of_steps(solver, model, awake(iterations), 12);
@@ -75,12 +75,12 @@ TEST_CASE("bodies collide on the GPU as in the reference, step by step from the 
   CHECK((momentum - Vector3d(-8, 0, 0)).norm() < 1e-3 * 8);
 }
 
-// It lands on an edge and tips: what presses changes in every step. An eighth of the way of a step; with 20 iterations
-// 0.6 % on llvmpipe and 1.1 % on an H100, whose other rounding lets other points touch first.
+// It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 % on
+// llvmpipe, and once 1.1 % on an H100, whose other rounding lets other points touch first.
 TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
   test::Gpu gpu;
   const auto [iterations, largest_error] =
-      GENERATE(std::pair(10, 0.125), std::pair(20, gl::device().software ? 0.01 : 0.02));
+      GENERATE(std::pair(10, 0.08), std::pair(20, gl::device().software ? 0.01 : 0.02));
   Model model = cube(0.2, 6, soft_tissue(2e4));
   for (Vector3d& v : model.initial_velocity) v = {0.3, -1.5, 0};
   model.tools = {tool("ground", PlaneShape{{0, -0.012, 0}, {0.1, 1, 0}}, 0.5)};
