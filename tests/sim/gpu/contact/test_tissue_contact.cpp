@@ -75,8 +75,8 @@ TEST_CASE("bodies collide on the GPU as in the reference, step by step from the 
   CHECK((momentum - Vector3d(-8, 0, 0)).norm() < 1e-3 * 8);
 }
 
-// It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 % on
-// llvmpipe, and once 1.1 % on an H100, whose other rounding lets other points touch first.
+// It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 %
+// on llvmpipe, and once 1.1 % on an H100, whose other rounding lets other points touch first.
 TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
   test::Gpu gpu;
   const auto [iterations, largest_error] =

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
+#include "sim/material/invariants.h"
 #include "tests/support/gpu/bars.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
@@ -94,6 +95,41 @@ TEST_CASE("a solver eases the law of a tet that is pushed through its foot, and 
   CHECK(pushed_to(-0.5));
   solver.reset();
   CHECK_FALSE(solver.buffers().eased);
+}
+
+// A tet that is drawn down to J stretches by J along z. Both the energy and the hand's force tell the law.
+TEST_CASE("an eased tet has the energy and the force of the law with the larger share", "[gpu]") {
+  Gpu gpu;
+  Model model = one_tet();
+  model.gravity.setZero();
+  const double mu = model.materials[0].lame_mu(), k = model.materials[0].lame_lambda() - 2 * mu / 3;
+  const auto density = [&](double j, double least) {
+    const double i1 = 2 + j * j;
+    return mu / 12 * (i1 * i1 - 9) + mu * (above_extended_log(j - 1, least).value - (j - 1)) +
+           k / 2 * (j - 1) * (j - 1);
+  };
+  constexpr double kVolume = 0.001 / 6, kSide = 0.1, kGrip = 1e6, kNudge = 1e-5;
+  for (const bool eased : {false, true}) {
+    const double least = eased ? kLeastVolumeRatio : kLeastVolumeRatioOfSquared;
+    GpuSolver solver(gpu.programs, model, {});
+    const auto pull_to = [&](double ratio) {
+      solver.set_grab({{3, Vector3d(0, 0, kSide * (ratio - 1)), kGrip}});
+      for (int step = 0; step < 8 * TangleWatch::kInterval; ++step) solver.step();
+    };
+    if (eased) pull_to(-0.5);
+    pull_to(0.1);
+    REQUIRE(solver.buffers().eased == eased);
+    const double z = solver.download().displacement[3].z(), j = 1 + z / kSide;
+    const double force = kGrip * (kSide * (0.1 - 1) - z);  // of the hand [N]
+    const double exact = kVolume / kSide * (density(j + kNudge, least) - density(j - kNudge, least)) / (2 * kNudge);
+    solver.request_diagnostics();
+    const double energy = solver.take_diagnostics(true)->elastic;
+    CAPTURE(eased, j, force, exact, energy, kVolume * density(j, least), kVolume * density(j, 0.25 - least));
+    CHECK(j < kLeastVolumeRatio);
+    CHECK(force == Approx(exact).epsilon(2e-4));
+    CHECK(energy == Approx(kVolume * density(j, least)).epsilon(1e-5));
+    CHECK(energy != Approx(kVolume * density(j, 0.25 - least)).epsilon(1e-3));  // of the other share
+  }
 }
 
 TEST_CASE("the kernels learn that the law is eased from the fraction of its number", "[gpu]") {
