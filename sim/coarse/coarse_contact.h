@@ -22,24 +22,29 @@ struct PointStiffness {
   Eigen::Matrix3d stiffness;  // [N/m]
 };
 
-struct CoarseContact {
-  static constexpr std::size_t kMostNodes = 64;
-  std::vector<std::uint32_t> nodes;  // that contact touches, ascending; the stiffest ones if there are more
-  Eigen::MatrixXf stiffness;         // C [kg], [3 * nodes] square, in the rest frame of the coarse matrix
-  bool operator==(const CoarseContact&) const = default;
+/// The coarse nodes that contact touches, and how stiffly it holds each.
+struct TouchedNodes {
+  static constexpr std::size_t kMost = 64;
+  std::vector<std::uint32_t> nodes;  // ascending; the stiffest ones if there are more than kMost
+  Eigen::VectorXf stiffness;         // [3 * nodes] the diagonal of C [kg], in the rest frame of the coarse matrix
 };
 
 /// `rotations` [node_count]: those of the nodes. `h` [s] is the length of the stage.
-CoarseContact coarse_contact(const CoarseSpace& space, const std::vector<PointStiffness>& points,
-                             const std::vector<Eigen::Quaternionf>& rotations, double h);
+TouchedNodes touched_nodes(const CoarseSpace& space, const std::vector<PointStiffness>& points,
+                           const std::vector<Eigen::Quaternionf>& rotations, double h);
+
+/// C [kg], [3 * nodes] square, for the nodes that `touched_nodes` returns for the same arguments.
+Eigen::MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const CoarseSpace& space,
+                                  const std::vector<PointStiffness>& points,
+                                  const std::vector<Eigen::Quaternionf>& rotations, double h);
 
 /// (I + C G)^-1 C. `inverse(i, k)`: entries of A^-1.
-Eigen::MatrixXf push_back(const CoarseContact& contact,
+Eigen::MatrixXf push_back(const std::vector<std::uint32_t>& nodes, const Eigen::MatrixXf& stiffness,
                           const std::function<float(Eigen::Index, Eigen::Index)>& inverse);
 
-/// Whether `b` may serve as `a`: the shares c g / (1 + c g) by which contact holds the coordinates of nodes, with the
-/// diagonals c of C and g of A^-1, differ by a tenth of all at most. Much more or less of a stiff contact does nothing.
-/// `compliance(i)`: g.
-bool alike(const CoarseContact& a, const CoarseContact& b, const std::function<float(Eigen::Index)>& compliance);
+/// Whether the stiffness of `b` may serve for `a`: the shares c g / (1 + c g) by which contact holds the coordinates of
+/// nodes, with the diagonals c of C and g of A^-1, differ by a tenth of all at most. Much more or less of a stiff
+/// contact does nothing. `compliance(i)`: g.
+bool alike(const TouchedNodes& a, const TouchedNodes& b, const std::function<float(Eigen::Index)>& compliance);
 
 }  // namespace fascia

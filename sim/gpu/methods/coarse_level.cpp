@@ -73,11 +73,10 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
   scale_ = gl::Buffer("coarse_scale", sizeof(vec4) * n);
   correction_ = gl::Buffer("coarse_correction", sizeof(vec4) * n);
   if (model.has_contact()) {
-    constexpr std::size_t kMost = CoarseContact::kMostNodes;
+    constexpr std::size_t kMost = TouchedNodes::kMost;
     touched_ = gl::Buffer("coarse_touched", std::vector<std::uint32_t>(1 + kMost));
     contact_matrix_ = gl::Buffer("coarse_contact", sizeof(vec4) * 3 * kMost * kMost);
-    free_ = gl::Buffer("coarse_free", sizeof(vec4) * n);
-    push_ = gl::Buffer("coarse_push", std::vector<vec4>(2 * row_octets_));
+    free_ = gl::Buffer("coarse_free", sizeof(vec4) * kMost);
   }
   start({std::move(linear), settings.stage_length()});
 }
@@ -99,38 +98,35 @@ gl::ComputePass CoarseLevel::restriction(const Recording& r, const gl::Buffer& g
 
 Passes CoarseLevel::begin(const Recording& r, const gl::Buffer& gradient) const {
   Passes passes;
-  if (push_ && r.has_blocks()) passes.push_back(restriction(r, gradient));
+  if (contact_matrix_ && r.has_blocks()) passes.push_back(restriction(r, gradient));
   return passes;
 }
 
 Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const {
-  const std::uint32_t n = space_.node_count;
-  const bool contact = push_ && r.has_blocks();
   Passes passes;
   passes.push_back(restriction(r, gradient));
-  const auto solve = [&](const char* step, const gl::Buffer& right, gl::ComputePass::Bindings more) {
+  const auto solve = [&](bool touched, std::uint32_t nodes, gl::ComputePass::Bindings more) {
     more.insert(more.end(),
-                {{"coarse_inverse", &inverse_rows_}, {"coarse_scale", &scale_}, {"coarse_gradient", &right}});
+                {{"coarse_inverse", &inverse_rows_}, {"coarse_scale", &scale_}, {"coarse_gradient", &gradient_}});
     passes
-        .emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp", {{"CONTACT", step}}), std::move(more),
-                      n * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
+        .emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp", {{"TOUCHED", touched ? "1" : "0"}}),
+                      std::move(more), nodes * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
         .loops(row_octets_ + 1);
   };
-  if (!contact) {
-    solve("0", gradient_, {{"coarse_rotation", &rotation_}, {"coarse_correction", &correction_}});
-    return passes;
+  if (contact_matrix_ && r.has_blocks()) {
+    constexpr auto kMost = static_cast<std::uint32_t>(TouchedNodes::kMost);
+    solve(true, kMost, {{"coarse_touched", &touched_}, {"coarse_free", &free_}});
+    passes
+        .emplace_back(r.programs.compute("sim/two_level/coarse_contact.comp"),
+                      gl::ComputePass::Bindings{{"coarse_touched", &touched_},
+                                                {"coarse_contact", &contact_matrix_},
+                                                {"coarse_scale", &scale_},
+                                                {"coarse_free", &free_},
+                                                {"coarse_gradient", &gradient_}},
+                      kMost * lanes_)
+        .loops(kMost + 1);
   }
-  solve("1", gradient_, {{"coarse_free_now", &free_}});
-  passes
-      .emplace_back(r.programs.compute("sim/two_level/coarse_contact.comp"),
-                    gl::ComputePass::Bindings{{"coarse_touched", &touched_},
-                                              {"coarse_contact", &contact_matrix_},
-                                              {"coarse_scale", &scale_},
-                                              {"coarse_free", &free_},
-                                              {"coarse_push", &push_}},
-                    static_cast<std::uint32_t>(CoarseContact::kMostNodes) * lanes_)
-      .loops(CoarseContact::kMostNodes + 1);
-  solve("2", push_, {{"coarse_rotation", &rotation_}, {"coarse_correction", &correction_}, {"coarse_free", &free_}});
+  solve(false, space_.node_count, {{"coarse_rotation", &rotation_}, {"coarse_correction", &correction_}});
   return passes;
 }
 
@@ -152,28 +148,29 @@ void CoarseLevel::upload() {
   std::vector<vec4> scales;
   for (Eigen::Index i = 0; i < inverse.rows(); i += 3) scales.push_back({scale[i], scale[i + 1], scale[i + 2], 0});
   scale_.upload(0, scales.size() * sizeof(vec4), scales.data());
-  if (!push_) return;
+  if (!contact_matrix_) return;
   quantized_ = std::move(rows);
   scales_ = scale;
   if (!contact_.nodes.empty()) upload_contact();
 }
 
 void CoarseLevel::set_contact(const std::vector<PointStiffness>& points) {
-  if (empty() || !push_ || (points.empty() && contact_.nodes.empty())) return;
+  if (empty() || !contact_matrix_ || (points.empty() && contact_.nodes.empty())) return;
   std::vector<Eigen::Quaternionf> rotations;
   if (!points.empty())
     for (const vec4& q : rotation_.read<vec4>()) rotations.emplace_back(q.w, q.x, q.y, q.z);
-  CoarseContact now = coarse_contact(space_, points, rotations, h_);
+  TouchedNodes now = touched_nodes(space_, points, rotations, h_);
   const auto compliance = [&](Eigen::Index i) { return kOne * scales_[i] * scales_[i]; };
   if (keeps_contact_ && alike(now, contact_, compliance)) return;
   keeps_contact_ = true;
   contact_ = std::move(now);
+  contact_stiffness_ = stiffness_between(contact_.nodes, space_, points, rotations, h_);
   upload_contact();
 }
 
 void CoarseLevel::upload_contact() {
   const std::size_t row_length = std::size_t{8} * row_octets_;
-  const Eigen::MatrixXf push = push_back(contact_, [&](Eigen::Index i, Eigen::Index k) {
+  const Eigen::MatrixXf push = push_back(contact_.nodes, contact_stiffness_, [&](Eigen::Index i, Eigen::Index k) {
     return scales_[i] * scales_[k] *
            static_cast<float>(quantized_[static_cast<std::size_t>(i) * row_length + static_cast<std::size_t>(k)]);
   });
@@ -184,8 +181,6 @@ void CoarseLevel::upload_contact() {
     for (Eigen::Index k = 0; k < push.cols(); ++k) columns.push_back({push(i, k), push(i + 1, k), push(i + 2, k), 0});
   touched_.upload(0, touched.size() * sizeof(std::uint32_t), touched.data());
   if (!columns.empty()) contact_matrix_.upload(0, columns.size() * sizeof(vec4), columns.data());
-  const std::vector<vec4> zero(2 * row_octets_);
-  push_.upload(0, push_.bytes(), zero.data());
 }
 
 bool CoarseLevel::ready() const {

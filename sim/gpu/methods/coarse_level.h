@@ -63,11 +63,12 @@ class CoarseLevel {
   std::uint32_t most_entries_ = 0;  // largest number of entries of a node in either list of coarse_restrict
   gl::Buffer node_begin_, gather_entry_, columns_, row_begin_, rows_;
   gl::Buffer rotation_, gradient_, inverse_rows_, scale_, correction_;
-  gl::Buffer touched_, contact_matrix_, free_, push_;  // with contact only
-  Eigen::MatrixXf free_inverse_;                       // without springs; empty before the first upload
-  std::vector<std::int16_t> quantized_;                // inverse_rows_
-  Eigen::VectorXf scales_;                             // of its rows
-  CoarseContact contact_;
+  gl::Buffer touched_, contact_matrix_, free_;  // with contact only
+  Eigen::MatrixXf free_inverse_;                // without springs; empty before the first upload
+  std::vector<std::int16_t> quantized_;         // inverse_rows_
+  Eigen::VectorXf scales_;                      // of its rows
+  TouchedNodes contact_;
+  Eigen::MatrixXf contact_stiffness_;
   bool keeps_contact_ = false;
   std::vector<VertexStiffness> springs_;
   std::vector<Material> materials_;  // of the newest inverse, ready or not
