@@ -10,7 +10,7 @@ namespace {
 std::vector<AccuracyCase> full_cases() {
   using S = AccuracyScenario;
   std::vector<AccuracyCase> cases;
-  for (const S scenario : {S::one_step, S::grabbed, S::settled}) {
+  for (const S scenario : {S::one_step, S::grabbed, S::pressed, S::settled}) {
     AccuracyCase base;
     base.scenario = scenario;
     const auto add = [&](const auto& vary) {
@@ -31,7 +31,10 @@ std::vector<AccuracyCase> full_cases() {
 std::vector<AccuracyCase> quick_cases() {
   using S = AccuracyScenario;
   const Eigen::Vector3i small(16, 4, 4), tiny(8, 2, 2);
-  return {{S::one_step, small, 1e6, 0.3, 1}, {S::one_step, small, 1e7, 0.3, 1}, {S::settled, tiny, 1e6, 0.3, 1}};
+  return {{S::one_step, small, 1e6, 0.3, 1},
+          {S::one_step, small, 1e7, 0.3, 1},
+          {S::pressed, small, 1e6, 0.3, 1},
+          {S::settled, tiny, 1e6, 0.3, 1}};
 }
 
 }  // namespace
@@ -42,6 +45,8 @@ const char* name_of(AccuracyScenario scenario) {
       return "one_step";
     case AccuracyScenario::grabbed:
       return "grabbed";
+    case AccuracyScenario::pressed:
+      return "pressed";
     case AccuracyScenario::settled:
       return "settled";
   }
@@ -69,6 +74,14 @@ SolverSettings settings_of(const AccuracyCase& measured, const SolverChoice& pai
   settings.iterations = iterations;
   settings.substeps = measured.substeps;
   return settings;
+}
+
+std::vector<SolverChoice> AccuracyGrid::pairs_of(const AccuracyCase& measured) const {
+  std::vector<SolverChoice> able;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(able), [&](const SolverChoice& pair) {
+    return measured.scenario != AccuracyScenario::pressed || info_of(pair.method).carries_contact;
+  });
+  return able;
 }
 
 const std::vector<int>& AccuracyGrid::iterations_of(const AccuracyCase& measured) const {

@@ -1,4 +1,4 @@
-// The cases of `fascia bench accuracy`: one beam in three situations, and around a base case (5,184 tets, E = 1e6 Pa,
+// The cases of `fascia bench accuracy`: one beam in four situations, and around a base case (5,184 tets, E = 1e6 Pa,
 // nu = 0.3, 1/60 s in one substep) one parameter at a time, because the full product would take days and add little
 // information.
 #pragma once
@@ -13,6 +13,7 @@ namespace fascia {
 enum class AccuracyScenario {
   one_step,  // a step from a smooth bend and twist at rest
   grabbed,   // a step from rest in which the free end is displaced sideways by 0.3 of the length
+  pressed,   // a step in which an instrument that presses the beam onto the ground moves on
   settled    // many steps from rest under gravity
 };
 const char* name_of(AccuracyScenario scenario);  // "one_step", as in tables
@@ -38,6 +39,8 @@ struct AccuracyGrid {
   int settled_steps = 120;
   int repetitions = 7;  // of every timed step
 
+  /// Of `pairs`, those that can solve the case: few methods carry contact.
+  std::vector<SolverChoice> pairs_of(const AccuracyCase& measured) const;
   const std::vector<int>& iterations_of(const AccuracyCase& measured) const;
   int steps_of(const AccuracyCase& measured) const;
 };

@@ -109,7 +109,7 @@ AccuracyResults empty_results(const AccuracyGrid& grid) {
   AccuracyResults results;
   for (const AccuracyCase& measured : grid.cases) {
     results.push_back({measured, {}});
-    for (const SolverChoice& pair : grid.pairs) results.back().pairs.push_back({pair, {}});
+    for (const SolverChoice& pair : grid.pairs_of(measured)) results.back().pairs.push_back({pair, {}});
   }
   return results;
 }

@@ -30,7 +30,7 @@ AccuracyGrid tiny_grid() {
   AccuracyGrid grid;
   grid.pairs = {SolverSettings().choice()};
   for (const AccuracyScenario scenario :
-       {AccuracyScenario::one_step, AccuracyScenario::grabbed, AccuracyScenario::settled})
+       {AccuracyScenario::one_step, AccuracyScenario::grabbed, AccuracyScenario::pressed, AccuracyScenario::settled})
     grid.cases.push_back({scenario, {8, 1, 1}, 1e6, 0.3, 1});
   grid.cases.front().substeps = 2;
   grid.iterations = {1, 4, 16};
@@ -82,7 +82,7 @@ CaseAccuracy known_case() {
 TEST_CASE("bench accuracy measures once, and continues", "[bench]") {
   const TemporaryFolder folder;
   AccuracyGrid grid = tiny_grid();
-  REQUIRE(run(folder.path(), grid) == 3);
+  REQUIRE(run(folder.path(), grid) == 4);
   const std::string table = read_file(folder / "accuracy.csv");
   INFO(table);
 
@@ -91,7 +91,7 @@ TEST_CASE("bench accuracy measures once, and continues", "[bench]") {
               std::find_if(lines.begin(), lines.end(), [](const std::string& l) { return l.rfind("# ", 0) != 0; }));
   for (const char* fact : {"# fascia ", "# renderer: ", "# machine: ", "# LP_NUM_THREADS: "})
     CHECK(table.find(fact) != std::string::npos);
-  REQUIRE(lines.size() == 1 + 3 + 3 + 2);
+  REQUIRE(lines.size() == 1 + 3 + 3 + 3 + 2);
   CHECK(lines.front() == kColumns);
   CHECK(lines[1].rfind("one_step,48,1000000,0.3,0.01666667,2,two_level,subspace,1,", 0) == 0);
   for (std::size_t row = 1; row < lines.size(); ++row) {
@@ -127,7 +127,7 @@ TEST_CASE("bench accuracy measures once, and continues", "[bench]") {
   grid.repetitions = 1;
   CHECK_THROWS_WITH(run(folder.path(), grid), Catch::Contains("accuracy.csv: ") && Catch::Contains("--fresh"));
   CHECK(read_file(folder / "accuracy.csv") == more);
-  CHECK(run(folder.path(), grid, true) == 4);
+  CHECK(run(folder.path(), grid, true) == 5);
 }
 
 TEST_CASE("a table of accuracies with missing rows or invalid content", "[bench]") {
