@@ -51,6 +51,7 @@ RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buf
   }
   region_begin_.push_back(static_cast<std::uint32_t>(region_vertices_.size()));
 
+  pressed_.resize(region_count());
   neighbors_.resize(region_count());
   for (std::uint32_t t = 0; t < buffers.tet_count; ++t)
     for (const std::uint32_t v : buffers.element(t))
@@ -79,19 +80,28 @@ RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buf
                           region_count(), gl::ComputePass::Constants{{"accumulate", accumulate}});
 }
 
-bool RestingRegions::begin_step(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
-  if (phase_ == kWholeSteps) partial_ = list(settings, springs);
+bool RestingRegions::begin_step(const SolverSettings& settings,
+                                const std::function<std::vector<std::uint32_t>()>& awake) {
+  if (phase_ == kWholeSteps) partial_ = list(settings, awake());
   if (phase_ < kWholeSteps) partial_ = false;
   return partial_;
+}
+
+void RestingRegions::press(std::uint32_t vertex) {
+  char& pressed = pressed_[vertex_region_[vertex]];
+  met_ |= partial_ && !pressed;
+  pressed = 1;
 }
 
 void RestingRegions::end_step() {
   if (phase_ < kWholeSteps) measure_[static_cast<std::size_t>(phase_)].run();
   if (phase_ == kWholeSteps - 1) measured_.copy(motion_, motion_.bytes());
   phase_ = (phase_ + 1) % kRound;
+  if (met_ || phase_ == 0) restart();
+  met_ = false;
 }
 
-bool RestingRegions::list(const SolverSettings& settings, const std::vector<VertexStiffness>& springs) {
+bool RestingRegions::list(const SolverSettings& settings, const std::vector<std::uint32_t>& awake) {
   const auto motion = measured_.read<float>();
   const double h = settings.substep();
   std::vector<char> woken(region_count()), moving(region_count());
@@ -100,7 +110,7 @@ bool RestingRegions::list(const SolverSettings& settings, const std::vector<Vert
                  displacement = std::sqrt(static_cast<double>(motion[2 * r + 1]));
     woken[r] = !is_still(speed * h, h, displacement, settings, buffers_.size);
   }
-  for (const VertexStiffness& spring : springs) woken[vertex_region_[spring.vertex]] = 1;
+  for (const std::uint32_t v : awake) woken[vertex_region_[v]] = 1;
   for (std::uint32_t r = 0; r < region_count(); ++r)
     for (const std::uint32_t n : neighbors_[r]) moving[r] |= woken[n];
   if (moving == listed_) return active_.work <= kMostShare * buffers_.work();

@@ -101,7 +101,7 @@ class GpuSolver {
   /// The share of the work that a step did, on average: less than 1 where regions rested (resting_regions.h).
   double share_solved() const;
   /// Whether the last step solved all tets.
-  bool last_was_whole() const { return kind_ != &partial_; }
+  bool last_was_whole() const { return !is_partial(); }
   /// Whether the last step had contact: not where tools are far from tissue.
   bool last_had_contact() const { return touches(); }
   void solve_everything();  // in every later step
@@ -183,7 +183,8 @@ class GpuSolver {
     StepPasses passes;
     std::optional<FusedStep> fused;
   };
-  bool touches() const { return contact_.acts() && kind_ != &apart_ && kind_ != &partial_; }
+  bool touches() const { return contact_.acts() && (kind_ == &whole_ || kind_ == &partial_); }
+  bool is_partial() const { return kind_ == &partial_ || kind_ == &partial_apart_; }
   bool is_near();             // whether the next step needs contact
   void take(StepKind& kind);  // for the next steps
   void record(StepKind& kind);
@@ -238,8 +239,9 @@ class GpuSolver {
   SurfacePositions surface_;
   std::optional<DeferredTets> deferred_;   // with materials that defer tets
   std::optional<RestingRegions> regions_;  // where some regions may rest while others move
-  // For all tets, with contact and without; for the tets of a step with resting regions, without contact
-  StepKind whole_, apart_, partial_;
+  // For all tets, with contact and without; for the tets of a step with resting regions, the same
+  StepKind whole_, apart_, partial_, partial_apart_;
+  double tools_way_ = 0;  // [m] of the tools since regions were listed, at most
   StepKind* kind_ = &whole_;
   bool always_whole_ = false;
   bool fuses_ = false;

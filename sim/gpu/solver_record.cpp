@@ -33,7 +33,7 @@ void GpuSolver::record() {
   const bool first = !whole_.passes.recorded() && !apart_.passes.recorded();
   StepKind& kind = contact_.acts() && (first ? !is_near() : !touches()) ? apart_ : whole_;
   if (first && watch_) watch_->restart();
-  whole_ = apart_ = partial_ = {};
+  whole_ = apart_ = partial_ = partial_apart_ = {};
   take(kind);
   if (!features_.models.contains(MaterialModel::squared)) {
     tangles_.reset();
@@ -47,8 +47,8 @@ void GpuSolver::record() {
 }
 
 void GpuSolver::record(StepKind& kind) {
-  const bool partial = &kind == &partial_;
-  kind.passes = record_step(partial ? &regions_->active() : nullptr, &kind == &whole_);
+  const bool partial = &kind == &partial_ || &kind == &partial_apart_;
+  kind.passes = record_step(partial ? &regions_->active() : nullptr, &kind == &whole_ || &kind == &partial_);
   kind.fused = partial && !programs_.fusing_rare() ? std::nullopt : fuse(kind.passes);
 }
 

@@ -80,7 +80,12 @@ bool GpuSolver::takes_contact(int iteration) const {
 }
 
 void GpuSolver::iterate(int iteration, int count) {
-  if (takes_contact(iteration)) method_->set_contact(contact_.stiffness_at_points());
+  if (takes_contact(iteration)) {
+    const std::vector<PointStiffness> pressing = contact_.stiffness_at_points();
+    method_->set_contact(pressing);
+    if (regions_)
+      for (const PointStiffness& point : pressing) regions_->press(point.vertices[0]);
+  }
   const bool refreshes = StepMethod::refreshes_before(iteration, settings_.iterations);
   if (const FusedStep* fused = fused_step()) {
     if (refreshes) fused->refresh.run();
@@ -164,32 +169,51 @@ void GpuSolver::take(StepKind& kind) {
 
 // Selects the passes with contact or without, for all tets or for the moving part only.
 void GpuSolver::choose_passes() {
-  const bool after_whole = kind_ != &partial_;
-  const bool near = !contact_.acts() || is_near();
+  const bool after_whole = !is_partial();
+  const bool near = !contact_.acts() || is_near(), touching = near && contact_.acts();
   StepKind* kind = near ? &whole_ : &apart_;
   if (regions_) {
-    if ((near && contact_.acts()) || time_ < model_.end_of_motions()) regions_->restart();
-    if (regions_->begin_step(settings_, stiffness_of(terms_))) kind = &partial_;
+    const double way = touching ? contact_.way_of(next_tools()) : 0;
+    // What no tool was near when regions were listed stays out of their reach until they have come as far as that.
+    const bool reach = tools_way_ + way > contact_.margin();
+    if (touching != touches() || reach || time_ < model_.end_of_motions()) {
+      regions_->restart();
+      tools_way_ = 0;
+    }
+    tools_way_ += way;
+    const auto awake = [&] {
+      tools_way_ = way;
+      std::vector<std::uint32_t> vertices;
+      if (touching) vertices = contact_.near_vertices();
+      for (const VertexStiffness& spring : stiffness_of(terms_)) vertices.push_back(spring.vertex);
+      return vertices;
+    };
+    if (regions_->begin_step(settings_, awake)) kind = near ? &partial_ : &partial_apart_;
   }
   take(*kind);
-  if (kind_ == &partial_ && after_whole) {
+  if (is_partial() && after_whole) {
     // Vertices beside resting tets would add stale values in the slots of those, from an earlier step, a heat map or
     // diagnostics, to the objective.
     buffers_.correction.clear();
     method_->begin_partial();
   }
-  work_done_ += kind_ == &partial_ ? regions_->active().work : buffers_.work();
+  work_done_ += is_partial() ? regions_->active().work : buffers_.work();
 }
 
 void GpuSolver::run_partial_kernels() {
   if (!regions_) return;
   StepKind& before = *kind_;
-  const double time = time_;
-  take(partial_);
-  method_->begin_partial();
-  solve_substep();
+  std::vector<StepKind*> kinds{&partial_};
+  if (contact_.acts()) kinds.push_back(&partial_apart_);
+  const State state = download();
+  for (StepKind* kind : kinds) {
+    take(*kind);
+    method_->begin_partial();
+    solve_substep();
+  }
   take(before);
-  time_ = time;
+  if (contact_.acts()) buffers_.upload_state(model_, state);
+  time_ = state.time;
   regions_->restart();
 }
 
@@ -233,7 +257,7 @@ void GpuSolver::step() {
   choose_passes();
   begin_step();
   for (int s = 0; s < settings_.substeps; ++s) solve_substep();
-  if (regions_ && !touches()) regions_->end_step();
+  if (regions_) regions_->end_step();
   has_step_ = true;
   ++steps_solved_;
 }

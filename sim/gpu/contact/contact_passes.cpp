@@ -4,7 +4,7 @@
 #include "sim/contact/contact_block.h"
 #include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/contact/piece_rows.h"
-#include "sim/gpu/passes/reduction.h"
+#include "sim/gpu/passes/recording.h"
 #include "sim/tool/tool_entry.h"
 
 namespace fascia {
@@ -118,19 +118,13 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
   return passes;
 }
 
-EnergyTerm::Passes ContactTerm::advance(gl::ProgramCache& programs, const SimBuffers& buffers,
-                                        const gl::Buffer& step) const {
-  Passes passes;
-  passes
-      .emplace_back(programs.compute("sim/contact/contact_advance.comp"),
-                    gl::ComputePass::Bindings{{"contact_limit", &limit_},
-                                              {"contact_body", &body_},
-                                              {"iterate", &buffers.displacement},
-                                              {"displacement", &buffers.displacement},
-                                              {"last_step", &step}},
-                    buffers.vertex_count)
-      .loops(0);
-  return passes;
+EnergyTerm::Passes ContactTerm::advance(const Recording& r, const gl::Buffer& step) const {
+  return {r.over_vertices("sim/contact/contact_advance.comp", {},
+                          {{"contact_limit", &limit_},
+                           {"contact_body", &body_},
+                           {"iterate", &r.buffers.displacement},
+                           {"displacement", &r.buffers.displacement},
+                           {"last_step", &step}})};
 }
 
 EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const {

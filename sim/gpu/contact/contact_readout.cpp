@@ -36,6 +36,15 @@ std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
   return result;
 }
 
+std::vector<std::uint32_t> ContactTerm::near_vertices() const {
+  std::vector<std::uint32_t> vertices;
+  if (surface_.empty()) return vertices;
+  const std::vector<std::uint32_t> near = near_.read<std::uint32_t>();
+  for (std::uint32_t p = 0; p < point_count(); ++p)
+    if (near[p] != 0) vertices.insert(vertices.end(), places_[p].begin(), places_[p].begin() + 3);
+  return vertices;
+}
+
 std::vector<PairLoad> ContactTerm::sum_of(const std::vector<PairRow>& pairs, const std::vector<vec4>& forces) {
   std::vector<PairLoad> loads;
   for (std::size_t k = 0; k < pairs.size(); ++k) {

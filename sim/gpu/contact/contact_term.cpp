@@ -124,6 +124,16 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   place_pieces(motion_on_paths(tools_, 0, 0));
 }
 
+double ContactTerm::way_of(const ToolMotion& motion) const {
+  double farthest = 0;
+  for (const ContactPiece& piece : surface_.pieces) {
+    const Tool& tool = tools_[piece.tool];
+    farthest = std::max(farthest, fascia::way_of(tool.shape, tool.pose_of_piece(piece.piece, motion.from[piece.tool]),
+                                                 tool.pose_of_piece(piece.piece, motion.to[piece.tool])));
+  }
+  return farthest;
+}
+
 std::uint32_t ContactTerm::stretches() const { return std::max(1u, (point_count() + kStretch - 1) / kStretch); }
 
 void ContactTerm::upload_points(const Model& model) {
@@ -191,7 +201,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     const ToolPlace &from = motion.from[piece.tool], &to = motion.to[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
     const PieceRows shape = piece_rows_of(tool.shape, first_nodes_[piece.tool]);
-    const double share = 1.0 / (1 << (2 * piece.level)), reach = way_of(tool.shape, before, after) + margin_;
+    const double share = 1.0 / (1 << (2 * piece.level)), reach = fascia::way_of(tool.shape, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);

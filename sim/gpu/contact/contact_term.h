@@ -43,7 +43,7 @@ class ContactTerm : public EnergyTerm {
   Passes project(gl::ProgramCache&, const SimBuffers&, bool) const override { return {}; }
   Passes impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes begin(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
-  Passes advance(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer& step) const override;
+  Passes advance(const Recording& recording, const gl::Buffer& step) const override;
   Passes evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes finish(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
@@ -52,6 +52,13 @@ class ContactTerm : public EnergyTerm {
   /// The stiffness of the points that press or stick, as the last forces were computed, at places of the buffers'
   /// vertices. Waits for the GPU.
   std::vector<PointStiffness> stiffness_at_points() const;
+
+  /// The vertices of the points that were near a piece in the last stage, at places of the buffers' vertices. All other
+  /// points were farther than margin() [m] from every piece. Waits for the GPU.
+  std::vector<std::uint32_t> near_vertices() const;
+  double margin() const { return margin_; }
+  /// The farthest that a point of a piece moves, at most [m].
+  double way_of(const ToolMotion& motion) const;
 
   /// [vertex of the model] forces on the tissue at the end of the last stage [N]; waits for the GPU.
   std::vector<Eigen::Vector3d> forces_at_vertices() const;

@@ -11,6 +11,8 @@
 
 namespace fascia {
 
+struct Recording;  // sim/gpu/passes/recording.h
+
 /// What a kernel that includes terms.glsl takes from the terms.
 enum class TermUse {
   gradient,   // NAME_gradient
@@ -54,7 +56,7 @@ class EnergyTerm {
   virtual Passes begin(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // of a stage, after the prediction
   /// From the start of the stage along `step` (vec4 [vertex_count] [m], what is left of it) to where the term first
   /// resists: the iterations go back there if the whole step raises the objective.
-  virtual Passes advance(gl::ProgramCache&, const SimBuffers&, const gl::Buffer& /*step*/) const { return {}; }
+  virtual Passes advance(const Recording&, const gl::Buffer& /*step*/) const { return {}; }
   virtual Passes evaluate(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // before every gradient
   virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }    // of a stage
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }

@@ -36,7 +36,7 @@ Passes Recording::beginnings() const {
 Passes Recording::advances(const gl::Buffer& step) const {
   Passes passes;
   for (const EnergyTerm* term : terms)
-    if (term->acts()) append(passes, term->advance(programs, buffers, step));
+    if (term->acts()) append(passes, term->advance(*this, step));
   return passes;
 }
 

@@ -233,7 +233,7 @@ TEST_CASE("kernels of a partial step that are run for a cache change no later st
   }
 }
 
-TEST_CASE("regions rest beside tools that are far away as without them, and not beside those that touch", "[gpu]") {
+TEST_CASE("regions rest beside tools that are far away as without them", "[gpu]") {
   const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
   Gpu gpu(loads);
   const Model model = two_stiff_bars();
@@ -264,4 +264,72 @@ TEST_CASE("regions rest beside tools that are far away as without them, and not 
   CAPTURE(partial, touching);
   CHECK(partial > 20);
   CHECK(touching > 5);
+}
+
+TEST_CASE("regions rest while a tool presses others, which move as in whole steps", "[gpu]") {
+  struct Case {
+    gl::LoadPath loads;
+    bool quadratic;
+    double speed;  // [m/s] of the ball after it touches
+    double until;  // [s]
+  };
+  const Case with_case =
+      GENERATE(Case{gl::LoadPath::texel, false, 0.05, 8.6}, Case{gl::LoadPath::storage, false, 0.05, 7.6},
+               Case{gl::LoadPath::texel, true, 0.05, 7.8}, Case{gl::LoadPath::texel, false, 4, 8.6});
+  Gpu gpu(with_case.loads);
+  Model model = with_case.quadratic ? quadratic_sheet(0.02) : sheet(0.02);
+  SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
+  State rest = initial_state(model);
+  {
+    Gpu fast;  // on software renderers
+    GpuSolver free(fast.programs, model, settings);
+    free.solve_everything();
+    while (free.time() < 7) free.step();
+    rest = free.download();
+    for (Vector3d& v : rest.velocity) v.setZero();
+  }
+  constexpr double kRadius = 0.02, kDepth = 0.005;
+  const double moved = 0.1, time = moved / with_case.speed;  // along the sheet
+  const double top = 0.04 + rest.displacement[vertex_at(model, {0.1, 0.1, 0.04})].z();
+  Tool ball;
+  ball.name = "ball";
+  ball.shape = SphereShape{{0, 0, 0}, kRadius};
+  ball.friction = 0.3;
+  const Vector3d above(0.1, 0.1, top + kRadius + 0.05), pressing(0.1, 0.1, top + kRadius - kDepth);
+  ball.path = {{0, above, {0, 0, 0}},
+               {7.2, above, {0, 0, 0}},
+               {7.6, pressing, {0, 0, 0}},
+               {8, pressing, {0, 0, 0}},
+               {8 + time, pressing + Vector3d(moved, 0, 0), {0, 0, 0}}};
+  model.tools = {ball};
+  GpuSolver skipping(gpu.programs, model, settings), whole(gpu.programs, model, settings);
+  whole.solve_everything();
+  for (GpuSolver* solver : {&skipping, &whole}) solver->upload(rest);
+  const auto force_of = [](GpuSolver& solver) {
+    solver.request_diagnostics();
+    return solver.take_diagnostics(true)->tool_loads.front().force;
+  };
+  double farthest_apart = 0, largest_force = 0, farthest_force = 0;
+  int partial = 0, touching = 0, kept = 0;
+  const std::uint32_t far = vertex_at(model, {0.75, 0.1, 0.04});
+  while (whole.time() < with_case.until) {
+    const Vector3d before = skipping.download().displacement[far];
+    for (GpuSolver* solver : {&skipping, &whole}) solver->step();
+    const State now = skipping.download();
+    farthest_apart = std::max(farthest_apart, farthest(whole.download(), now));
+    const Vector3d exact = force_of(whole), force = force_of(skipping);
+    largest_force = std::max(largest_force, exact.norm());
+    farthest_force = std::max(farthest_force, (force - exact).norm());
+    touching += skipping.last_had_contact();
+    const bool in_part = skipping.last_had_contact() && !skipping.last_was_whole();
+    partial += in_part;
+    kept += in_part && now.displacement[far] == before;
+  }
+  CAPTURE(with_case.quadratic, with_case.speed, partial, touching, farthest_apart, largest_force, farthest_force);
+  CHECK(touching > 20);
+  CHECK(partial > 10);
+  CHECK(kept == partial);
+  CHECK(largest_force > 0.1);
+  CHECK(farthest_apart < 2 * settings.rest_speed * whole.buffers().size);
+  CHECK(farthest_force < 0.01 * largest_force);
 }
