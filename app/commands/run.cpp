@@ -222,7 +222,6 @@ int run_input(const RunOptions& options) {
     const auto diagnostics = gpu->take_diagnostics(true);
     if (diagnostics) {
       inverted = diagnostics->inverted;
-      stats.max_von_mises = diagnostics->max_von_mises;
       stats.tool_loads = diagnostics->tool_loads;
       stats.pair_loads = diagnostics->pair_loads;
     }
@@ -235,9 +234,7 @@ int run_input(const RunOptions& options) {
     count_work(stats, simulation);
   } else {
     if (!options.static_equilibrium) stats.residual = simulation.newton_report().relative_residual;
-    const Diagnostics diagnostics = diagnostics_by_reference(simulation);
-    inverted = diagnostics.inverted;
-    stats.max_von_mises = diagnostics.max_von_mises;
+    inverted = reference::measure(simulation.model, last).inverted;
     stats.tool_loads = simulation.newton_tool_loads();
     stats.pair_loads = simulation.newton_pair_loads();
   }

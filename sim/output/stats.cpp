@@ -122,7 +122,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
       {"nan", !is_finite(last)},
       {"inverted", measures.inverted},
       {"J", {measures.min_det_f, measures.max_det_f}},
-      {"max_von_mises_Pa", stats.max_von_mises},
+      {"max_von_mises_Pa", measures.max_von_mises},
       {"kinetic_J", measures.kinetic},
       {"elastic_J", measures.elastic},
       {"gravitational_J", measures.gravitational},

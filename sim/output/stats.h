@@ -33,7 +33,6 @@ struct RunStats {
   std::vector<ToolLoad> tool_loads;       // of the last step, [tool of the model]
   std::vector<PairLoad> pair_loads;       // of the last step, of tissue on tissue
   double pair_search_ms = 0;              // that the CPU looked for tissue that touches tissue, in all steps
-  double max_von_mises = 0;               // [Pa] of the last state, of a tet
   std::optional<PeakStress> recovered;    // of the last state; only on request
   std::optional<double> error;            // of the last step, as in StepError; only on request
   std::optional<Errors> errors;           // only on request

@@ -154,9 +154,11 @@ TEST_CASE("history of a free fall: implicit Euler's energies and momentum in clo
 
 TEST_CASE("history on the GPU equals that of the reference solver") {
   const TemporaryFolder folder;
-  const nlohmann::json scene{{"fascia_scene", 1},
-                             {"bodies", {body("cube.msh", 2e4, {{{"group", "clamp"}}})}},
-                             {"solver", {{"iterations", 40}}}};
+  const std::string elements = GENERATE("linear", "quadratic");
+  nlohmann::json cube = body("cube.msh", 2e4, {{{"group", "clamp"}}});
+  cube["elements"] = elements;
+  nlohmann::json scene{{"fascia_scene", 1}, {"solver", {{"iterations", 40}}}};
+  scene["bodies"].push_back(cube);
   write_file(folder / "cube.json", scene.dump());
   for (const bool reference : {false, true})
     run_in(folder, {"run", "cube.json", "--steps", "6", "--history", reference ? "cpu.csv" : "gpu.csv"}, reference);
@@ -167,7 +169,7 @@ TEST_CASE("history on the GPU equals that of the reference solver") {
   for (std::size_t i = 1; i < gpu.rows.size(); ++i)
     for (const char* column : {"time_s", "kinetic_J", "elastic_J", "gravitational_J", "reaction_y_N", "probe_y_m",
                                "max_strain", "max_von_mises_Pa"}) {
-      CAPTURE(i, column);
+      CAPTURE(elements, i, column);
       CHECK(gpu.at(i, column) == Approx(cpu.at(i, column)).epsilon(1e-3));
     }
 }
