@@ -3,6 +3,7 @@
 
 #include "api/simulation.h"
 #include "api/values.h"
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/output/sample.h"
 
 namespace fascia::api {
@@ -66,5 +67,15 @@ TetFields Simulation::tet_fields() const {
 }
 
 std::vector<double> Simulation::von_mises() const { return tet_fields().von_mises; }
+
+RecoveredStress Simulation::recovered_stress() const {
+  return impl_->call([](fascia::Simulation& simulation) {
+    NodalStress stress = nodal_stress(simulation.model, simulation.state());
+    const PeakStress peak = peak_of(stress, simulation.model);
+    RecoveredStress out{{}, std::move(stress.von_mises), peak.max, peak.p99};
+    for (const auto& cauchy : stress.cauchy) out.cauchy.insert(out.cauchy.end(), cauchy.begin(), cauchy.end());
+    return out;
+  });
+}
 
 }  // namespace fascia::api

@@ -114,6 +114,16 @@ class Support:
     @property
     def force(self) -> list[float]: ...  # on the tissue [N]
 
+class RecoveredStress:
+    @property
+    def cauchy(self) -> Array: ...  # [vertex_count, 6] [Pa] xx, yy, zz, yz, xz, xy; a copy
+    @property
+    def von_mises(self) -> Array: ...  # [vertex_count] [Pa]; a copy
+    @property
+    def max_von_mises(self) -> float: ...  # [Pa]
+    @property
+    def p99_von_mises(self) -> float: ...  # [Pa] that 1 % of the volume exceeds
+
 class StaticReport:
     @property
     def iterations(self) -> int: ...
@@ -196,6 +206,7 @@ class Simulation:
     def diagnostics(self) -> Diagnostics: ...
     def supports(self) -> list[Support]: ...
     def von_mises(self) -> Array: ...  # [tet_count] [Pa]
+    def recovered_stress(self) -> RecoveredStress: ...
     def green_strain(self) -> Array: ...  # [tet_count, 6] xx, yy, zz, yz, xz, xy
     def det_f(self) -> Array: ...  # [tet_count]
 

@@ -60,6 +60,16 @@ void define_measures(py::module_& m) {
       .def_readonly("body", &Support::body, "The index of the body.")
       .def_readonly("motion", &Support::motion, "The index of the motion in the body; None for the fixed vertices.")
       .def_readonly("force", &Support::force, "The force on the tissue [N], three numbers.");
+  py::class_<RecoveredStress>(m, "RecoveredStress", "The Cauchy stress recovered at the vertices.")
+      .def_property_readonly(
+          "cauchy", [](const RecoveredStress& s) { return array_of(s.cauchy, 6); },
+          "The stress [Pa], [vertex_count, 6]: xx, yy, zz, yz, xz, xy; a copy.")
+      .def_property_readonly(
+          "von_mises", [](const RecoveredStress& s) { return array_of(s.von_mises); },
+          "The von Mises stress [Pa], [vertex_count]; a copy.")
+      .def_readonly("max_von_mises", &RecoveredStress::max_von_mises, "The largest von Mises stress [Pa].")
+      .def_readonly("p99_von_mises", &RecoveredStress::p99_von_mises,
+                    "The von Mises stress that 1 % of the volume exceeds [Pa].");
   py::class_<StaticReport>(m, "StaticReport", "The result of the search for a static equilibrium.")
       .def_readonly("iterations", &StaticReport::iterations, "The iterations of the scene's method.")
       .def_readonly("newton_iterations", &StaticReport::newton_iterations, "The iterations of Newton's method.")
@@ -247,6 +257,8 @@ void define_simulation(py::module_& m) {
       .def(
           "von_mises", [](const Simulation& s) { return array_of(s.von_mises()); },
           "Returns the von Mises stress of all tets [Pa], [tet_count].")
+      .def("recovered_stress", &Simulation::recovered_stress,
+           "Returns the stress recovered at the vertices. The CPU computes it, which takes as long as some steps.")
       .def(
           "green_strain", [](const Simulation& s) { return array_of(s.tet_fields().green_strain, 6); },
           "Returns the Green strain of all tets [-], [tet_count, 6]: xx, yy, zz, yz, xz, xy; tensor shears.")

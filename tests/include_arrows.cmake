@@ -50,7 +50,7 @@ set(arrows
   "sim/visual: base sim/mesh sim/model sim/scene/tools sim/tool"
   "render: gl render/passes render/target render/view"
   "include/fascia:"
-  "api: base gl gl/context include/fascia sim/bare_mesh sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/scene sim/scene/settings sim/simulation"
+  "api: base gl gl/context include/fascia sim/accuracy sim/bare_mesh sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/scene sim/scene/settings sim/simulation"
   "examples: include/fascia"
   "python: include/fascia"
   "render/context: base gl gl/context"

@@ -37,6 +37,7 @@ struct RunOptions : CommonOptions {
   std::optional<std::uint32_t> probe;  // vertex of the history's displacement; none: the one farthest from the supports
   std::string stats;                   // stats.json
   bool error = false;                  // of the last step, against the exact one
+  bool recovered_stress = false;       // its peaks, in the history and of the last state
   bool hash = false;                   // of the last state
 };
 
@@ -71,6 +72,7 @@ class HistoryFile {
     if (simulation_.steps_made() % options_.history_every != 0) return;
     samples_.push_back(sample_now(simulation_, probe_));
     samples_.back().step_ms = step_ms;
+    if (options_.recovered_stress) measure_recovered(samples_.back(), simulation_);
   }
   void write() const {
     write_samples(options_.history, samples_, simulation_.model,
@@ -88,7 +90,8 @@ class HistoryFile {
 };
 
 // An equilibrium has no error in time, and neither it nor a step of the reference solver one of the solver.
-void measure_errors(const RunOptions& options, Simulation& simulation, const State& last, RunStats& stats) {
+void measure_errors(const RunOptions& options, Simulation& simulation, const State& last, const PeakStress& peak,
+                    RunStats& stats) {
   const auto say = [&](const std::string& line) {
     if (!options.quiet) std::cerr << "fascia: " << line << '\n';
   };
@@ -109,8 +112,7 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
   const MeshError mesh = estimate_mesh_error(simulation.model, last);
   errors.mesh = mesh.displacement;
   errors.peak_stress = mesh.peak_stress;
-  errors.peak_recovered =
-      exceeded_by_a_hundredth(nodal_stress(simulation.model, last).von_mises, vertex_volumes(simulation.model));
+  errors.peak_recovered = peak.p99;
   errors.peak_of_tets = mesh.peak_of_tets;
   say("of the displacement: " + (errors.solver ? "solver " + percent(*errors.solver) + ", " : "") +
       (errors.time ? "time " + percent(*errors.time) + ", " : "") + "mesh " + percent(errors.mesh) +
@@ -236,7 +238,16 @@ int run_input(const RunOptions& options) {
     stats.tool_loads = simulation.newton_tool_loads();
     stats.pair_loads = simulation.newton_pair_loads();
   }
-  if (options.error && !interrupted()) measure_errors(options, simulation, last, stats);
+  if ((options.error || options.recovered_stress) && !interrupted()) {
+    const PeakStress peak = peak_of(nodal_stress(simulation.model, last), simulation.model);
+    if (options.error) measure_errors(options, simulation, last, peak, stats);
+    if (options.recovered_stress) {
+      stats.recovered = peak;
+      if (!options.quiet)
+        std::cerr << "fascia: recovered von Mises stress: at most " << number(peak.max) << " Pa, above "
+                  << number(peak.p99) << " Pa in 1 % of the volume\n";
+    }
+  }
   stats.provenance = made_by();
   if (!options.stats.empty()) write_stats(options.stats, stats, simulation, last);
   require_finite(last, simulation.scene);
@@ -294,6 +305,9 @@ void add_run(CLI::App& program, Invocation& invocation) {
   command.add_option("--stats", options->stats, "numbers about the run")->type_name(std::string("FILE.json") + kOrDash);
   command.add_flag("--error", options->error,
                    "what the last state is off by: of the solver, of the time step, of the mesh");
+  command.add_flag("--recovered-stress", options->recovered_stress,
+                   "the largest recovered von Mises stress, and that which 1 % of the volume exceeds, in --history and "
+                   "--stats");
   command.add_flag("--hash", options->hash, "print a fingerprint of the last state");
   add_examples(command,
                {"fascia run beam.json --export out.vtu --every 10",

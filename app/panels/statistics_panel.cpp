@@ -63,7 +63,10 @@ void statistics_panel(const PanelContext& context) {
     ui::fact("Volume", printed("%.2f %%", 100 * d->volume_ratio), "Volume of all tissue, over its volume at rest");
     ui::fact("Inverted tets", std::to_string(d->inverted), "Tets turned inside out: J below 0");
     ui::fact("Largest strain", printed("%.3g", d->max_strain), "Frobenius norm of the Green strain");
-    ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises");
+    ui::fact("Largest stress", engineering(d->max_von_mises, "Pa"), "Von Mises, of a tet");
+    if (const auto& peak = session.recovered.peak(); peak && session.display().color == ColorBy::recovered_von_mises)
+      ui::fact("Recovered stress", engineering(peak->max, "Pa") + ", " + engineering(peak->p99, "Pa"),
+               "Von Mises, at vertices, as in the picture: the largest, and the one that 1 % of the volume exceeds");
     ui::fact("Energy", engineering(d->elastic, "J") + ", " + engineering(d->kinetic, "J"),
              "Elastic, kinetic; F3 draws them over time");
     balance_rows(session.simulation, state.facts, *d);

@@ -77,12 +77,6 @@ class Ledger {
   reference::Measures first_;
 };
 
-bool all_finite(const State& state) {
-  const auto finite = [](const Vector3d& v) { return v.allFinite(); };
-  return std::all_of(state.displacement.begin(), state.displacement.end(), finite) &&
-         std::all_of(state.velocity.begin(), state.velocity.end(), finite);
-}
-
 }  // namespace
 
 StressResult run_stress_case(Simulation& simulation, const StressCriteria& criteria) {
@@ -104,7 +98,7 @@ StressResult run_stress_case(Simulation& simulation, const StressCriteria& crite
     ++result.steps;
     const bool diverged = simulation.check_now().has_value();
     const State state = simulation.state();
-    if (!all_finite(state)) {
+    if (!is_finite(state)) {
       fail("not finite after ", result.steps, " steps");
       return result;
     }

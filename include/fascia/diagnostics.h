@@ -49,6 +49,16 @@ FASCIA_INLINE namespace api {
     std::vector<double> green_strain{};  // [tet_count][6] The Green strain [-]: xx, yy, zz, yz, xz, xy; tensor shears.
   };
 
+  /// The Cauchy stress recovered at the vertices (Simulation::recovered_stress()). It is nearer to that of a finer mesh
+  /// than the stresses of the tets around. A vertex where materials meet has the stress of the one with the larger von
+  /// Mises stress.
+  struct RecoveredStress {
+    std::vector<double> cauchy{};     // [vertex_count][6] The stress [Pa]: xx, yy, zz, yz, xz, xy; 0 without tets.
+    std::vector<double> von_mises{};  // [vertex_count] The von Mises stress [Pa].
+    double max_von_mises = 0;         // The largest von Mises stress [Pa]. It is NaN if a stress is not finite.
+    double p99_von_mises = 0;         // The von Mises stress that 1 % of the volume exceeds [Pa], or NaN.
+  };
+
   /// The result of the search for a static equilibrium (Simulation::solve_static()).
   struct StaticReport {
     int iterations = 0;            // The iterations of the scene's method.

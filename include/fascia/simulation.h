@@ -202,6 +202,9 @@ FASCIA_INLINE namespace api {
     TetFields tet_fields() const;
     /// Returns the von Mises stress of all tets [Pa], [tet_count].
     std::vector<double> von_mises() const;
+    /// Returns the stress recovered at the vertices [Pa]. RecoveredStress states the shapes. The CPU computes it, which
+    /// takes as long as some steps.
+    RecoveredStress recovered_stress() const;
 
    private:
     struct FASCIA_HIDDEN Impl;

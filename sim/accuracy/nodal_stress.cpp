@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -152,6 +153,15 @@ double exceeded_by_a_hundredth(const std::vector<double>& values, const std::vec
     if (above >= 0.01 * whole) return values[k];
   }
   return 0;
+}
+
+PeakStress peak_of(const NodalStress& stress, const Model& model) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double>& values = stress.von_mises;
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    return {kUnknown, kUnknown};
+  return {values.empty() ? 0 : *std::max_element(values.begin(), values.end()),
+          exceeded_by_a_hundredth(values, vertex_volumes(model))};
 }
 
 }  // namespace fascia

@@ -35,4 +35,10 @@ std::vector<double> vertex_volumes(const Model& model);
 /// The value that 1 % of the volume exceeds; `volumes` is as long as `values`.
 double exceeded_by_a_hundredth(const std::vector<double>& values, const std::vector<double>& volumes);
 
+/// Of the von Mises stress at vertices [Pa]. NaN where one of them is not finite.
+struct PeakStress {
+  double max = 0, p99 = 0;  // p99: exceeded by 1 % of the volume
+};
+PeakStress peak_of(const NodalStress& stress, const Model& model);
+
 }  // namespace fascia

@@ -1,5 +1,7 @@
 #include "sim/model/state.h"
 
+#include <algorithm>
+
 #include "sim/model/model.h"
 
 namespace fascia {
@@ -9,6 +11,12 @@ State initial_state(const Model& model) {
   state.displacement.assign(model.rest_positions.size(), Eigen::Vector3d::Zero());
   state.velocity = model.initial_velocity;
   return state;
+}
+
+bool is_finite(const State& state) {
+  const auto finite = [](const Eigen::Vector3d& v) { return v.allFinite(); };
+  return std::all_of(state.displacement.begin(), state.displacement.end(), finite) &&
+         std::all_of(state.velocity.begin(), state.velocity.end(), finite);
 }
 
 // Through memory, since g++ 12 drops the two conversions where it vectorizes them.

@@ -36,6 +36,8 @@ struct State {
 };
 /// The rest shape of the scene, with its initial velocities, at time 0.
 State initial_state(const Model& model);
+/// Whether all displacements and velocities are.
+bool is_finite(const State& state);
 
 /// A vector as buffers of the GPU hold it: both solvers then start from the same numbers.
 Eigen::Vector3d float32_of(const Eigen::Vector3d& v);

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/number_text.h"
+#include "sim/accuracy/nodal_stress.h"
 
 namespace fascia {
 namespace {
@@ -19,6 +20,8 @@ constexpr Column kColumns[] = {{"step", [](const Sample& s) { return static_cast
                                {"min_J", [](const Sample& s) { return s.min_det_f; }},
                                {"max_strain", [](const Sample& s) { return s.max_strain; }},
                                {"max_von_mises_Pa", [](const Sample& s) { return s.max_von_mises; }},
+                               {"max_recovered_von_mises_Pa", [](const Sample& s) { return s.max_recovered; }, true},
+                               {"p99_recovered_von_mises_Pa", [](const Sample& s) { return s.p99_recovered; }, true},
                                {"momentum_x_kg_m_s", [](const Sample& s) { return s.momentum.x(); }},
                                {"momentum_y_kg_m_s", [](const Sample& s) { return s.momentum.y(); }},
                                {"momentum_z_kg_m_s", [](const Sample& s) { return s.momentum.z(); }},
@@ -93,10 +96,8 @@ Diagnostics diagnostics_by_reference(const Simulation& simulation) {
   d.min_det_f = m.min_det_f;
   d.max_det_f = m.max_det_f;
   d.inverted = static_cast<int>(m.inverted);
-  const StateFields fields = reference::export_fields(simulation.model, state);
-  for (const auto& e : fields.green_strain)
-    d.max_strain = std::max(d.max_strain, std::sqrt(e.head<3>().squaredNorm() + 2 * e.tail<3>().squaredNorm()));
-  for (const double stress : fields.von_mises) d.max_von_mises = std::max(d.max_von_mises, stress);
+  d.max_strain = m.max_strain;
+  d.max_von_mises = m.max_von_mises;
   for (const Eigen::Vector3d& v : state.velocity) d.max_speed = std::max(d.max_speed, v.norm());
   d.momentum = m.momentum;
   d.angular_momentum = m.angular_momentum;
@@ -126,6 +127,12 @@ Sample sample_now(Simulation& simulation, std::uint32_t probe) {
   return s;
 }
 
+void measure_recovered(Sample& sample, const Simulation& simulation) {
+  const PeakStress peak = peak_of(nodal_stress(simulation.model, simulation.state()), simulation.model);
+  sample.max_recovered = peak.max;
+  sample.p99_recovered = peak.p99;
+}
+
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples, const Model& model,
                    const Provenance& provenance, std::uint32_t probe) {
   NumberText out;
@@ -140,7 +147,12 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
     else
       out.add(", fixed\n");
   }
-  for (const Column& column : kColumns) out.add(&column == kColumns ? "" : ",").add(column.name);
+  std::vector<const Column*> columns;
+  for (const Column& column : kColumns)
+    if (!column.on_request || std::any_of(samples.begin(), samples.end(),
+                                          [&](const Sample& sample) { return std::isfinite(column.value(sample)); }))
+      columns.push_back(&column);
+  for (const Column* column : columns) out.add(column == columns.front() ? "" : ",").add(column->name);
   for (std::size_t k = 0; k < supports.size(); ++k)
     for (const char* axis : {"_x_N", "_y_N", "_z_N"}) out.add(",support_").add(k).add(axis);
   for (const Tool& tool : model.tools)
@@ -159,9 +171,9 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
     if (std::isfinite(value)) out.add(value);
   };
   for (const Sample& sample : samples) {
-    for (const Column& column : kColumns) {
-      if (&column != kColumns) out.add(',');
-      add_cell(column.value(sample));
+    for (const Column* column : columns) {
+      if (column != columns.front()) out.add(',');
+      add_cell(column->value(sample));
     }
     for (const reference::Support& support : sample.supports)
       for (const double force : support.force) {

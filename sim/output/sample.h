@@ -22,6 +22,7 @@ struct Sample {
   double kinetic = 0, elastic = 0, gravitational = 0;                   // [J]; gravitational: 0 at the rest positions
   double volume_ratio = 1;                                              // over the volume at rest
   double min_det_f = 1, max_strain = 0, max_von_mises = 0;              // [-], [-], [Pa]
+  double max_recovered = kUnknown, p99_recovered = kUnknown;            // [Pa] PeakStress; measure_recovered()
   Eigen::Vector3d momentum{0, 0, 0}, reaction{0, 0, 0}, grab{0, 0, 0};  // [kg m/s], [N], [N]; forces on the body
   std::vector<reference::Support> supports;  // of scenes in which some are moved; the sum of their forces is `reaction`
   std::vector<ToolLoad> tools;               // of each tool of the model
@@ -36,6 +37,7 @@ struct Sample {
 struct Column {
   const char* name;  // with unit: "kinetic_J"
   double (*value)(const Sample&);
+  bool on_request = false;  // files have it if a sample does
 };
 std::span<const Column> sample_columns();
 
@@ -45,6 +47,8 @@ Sample sample_of(const Diagnostics& diagnostics);
 Diagnostics diagnostics_by_reference(const Simulation& simulation);
 /// The current state with each support; waits for the GPU. Before the first step, residual and iterations are unknown.
 Sample sample_now(Simulation& simulation, std::uint32_t probe);
+/// Adds the recovered stress of the current state (sim/accuracy/nodal_stress.h), which takes as long as some steps.
+void measure_recovered(Sample& sample, const Simulation& simulation);
 
 /// Writes notes as lines "# keyword: text", the column names, and a row per sample: the shortest digits that read back
 /// to the same number, an empty cell for unknown values. All samples have the same supports and tools; there are

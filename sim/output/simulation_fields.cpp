@@ -41,9 +41,7 @@ ToolSurface surface_of(const Tool& tool, const ToolPlace& place, const Model& mo
 StateFields export_fields(const Simulation& simulation, const State& state, const std::filesystem::path& path) {
   const Model& model = simulation.model;
   StateFields fields = reference::export_fields(model, state);
-  const bool finite = std::all_of(state.displacement.begin(), state.displacement.end(),
-                                  [](const Vector3d& u) { return u.allFinite(); });
-  if (lower_ending(path) == ".vtu" && finite) {
+  if (lower_ending(path) == ".vtu" && is_finite(state)) {
     NodalStress recovered = nodal_stress(model, state);
     fields.recovered_stress = std::move(recovered.cauchy);
     fields.recovered_von_mises = std::move(recovered.von_mises);

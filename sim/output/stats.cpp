@@ -101,9 +101,6 @@ void count_work(RunStats& stats, Simulation& simulation) {
 void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,
                  const State& last) {
   const reference::Measures measures = reference::measure(simulation.model, last);
-  const auto finite = [](const Eigen::Vector3d& v) { return v.allFinite(); };
-  const bool nan = !std::all_of(last.displacement.begin(), last.displacement.end(), finite) ||
-                   !std::all_of(last.velocity.begin(), last.velocity.end(), finite);
   Json json{
       {"version", FASCIA_VERSION},
       {"renderer", stats.renderer},
@@ -122,9 +119,10 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
       {"ms_per_step", to_json(percentiles(stats.step_ms))},
       {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
       {"residual", stats.residual},
-      {"nan", nan},
+      {"nan", !is_finite(last)},
       {"inverted", measures.inverted},
       {"J", {measures.min_det_f, measures.max_det_f}},
+      {"max_von_mises_Pa", measures.max_von_mises},
       {"kinetic_J", measures.kinetic},
       {"elastic_J", measures.elastic},
       {"gravitational_J", measures.gravitational},
@@ -144,6 +142,10 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
   }
   if (!stats.tool_loads.empty()) json["contact"] = contact_forces(simulation.model, stats.tool_loads);
   if (simulation.model.touches_tissue()) json["tissue_contact"] = tissue_contact(simulation.model, stats, last);
+  if (stats.recovered) {
+    json["max_recovered_von_mises_Pa"] = stats.recovered->max;
+    json["p99_recovered_von_mises_Pa"] = stats.recovered->p99;
+  }
   if (stats.imbalance) json["imbalance"] = *stats.imbalance;
   if (stats.error) json["error"] = *stats.error;
   if (stats.errors) json["errors"] = to_json(*stats.errors);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/output/run_provenance.h"
 #include "sim/simulation/simulation.h"
 
@@ -32,6 +33,7 @@ struct RunStats {
   std::vector<ToolLoad> tool_loads;       // of the last step, [tool of the model]
   std::vector<PairLoad> pair_loads;       // of the last step, of tissue on tissue
   double pair_search_ms = 0;              // that the CPU looked for tissue that touches tissue, in all steps
+  std::optional<PeakStress> recovered;    // of the last state; only on request
   std::optional<double> error;            // of the last step, as in StepError; only on request
   std::optional<Errors> errors;           // only on request
   std::uint64_t dispatches_per_step = 0;  // of a solved step

@@ -48,24 +48,42 @@ TetForces forces_of(const Model& model, const LinearTet& rest, const State& stat
   return forces;
 }
 
-/// Volume of a tet times its mean squared strain, and its J.
+/// Volume of a tet times its mean squared strain, its J, and what is largest at one of its points.
 struct TetShape {
   double squared_strain, growth;
   VolumeRatios det_f;
+  double strain = 0, von_mises = 0;
 };
 
+const std::vector<Eigen::Vector4d>& integration_points() {
+  static const std::vector<Eigen::Vector4d> points = [] {
+    std::vector<Eigen::Vector4d> list(QuadraticTet::kPoints, Eigen::Vector4d::Constant(QuadraticTet::kFar));
+    for (int q = 0; q < QuadraticTet::kPoints; ++q) list[static_cast<std::size_t>(q)][q] = QuadraticTet::kNear;
+    return list;
+  }();
+  return points;
+}
+
 TetShape shape_of(const Model& model, const LinearTet& rest, const State& state, std::size_t t) {
+  const Material& material = model.materials[model.tet_material[t]];
   if (!model.is_quadratic(t)) {
     const Corners u = gather(state.displacement, model.tets[t]);
-    const double det_f = rest.deformation_gradient(u).determinant();
-    return {rest.volume * green_strain_matrix(rest, u).squaredNorm(), rest.volume * (det_f - 1), {det_f, det_f}};
+    const Matrix3d f = rest.deformation_gradient(u);
+    const double det_f = f.determinant(), strain = green_strain_matrix(rest, u).norm();
+    return {rest.volume * strain * strain, rest.volume * (det_f - 1), {det_f, det_f}, strain, von_mises(f, material)};
   }
   const QuadraticTet tet(rest);
   const QuadraticTet::Nodes u = gather(state.displacement, model.element(t));
   TetShape shape{0, 0, volume_ratios(tet, u, true)};
-  for (const Matrix3d& h : tet.at_points(u)) {
-    shape.squared_strain += 0.25 * tet.volume * strain_of(h).squaredNorm();
-    shape.growth += 0.25 * tet.volume * ((Matrix3d::Identity() + h).determinant() - 1);
+  const std::vector<Matrix3d> stresses = first_piola_stresses(tet, u, material, integration_points());
+  const QuadraticTet::PointGradients at_points = tet.at_points(u);
+  for (std::size_t q = 0; q < at_points.size(); ++q) {
+    const Matrix3d f = Matrix3d::Identity() + at_points[q];
+    const double strain = strain_of(at_points[q]).norm();
+    shape.squared_strain += 0.25 * tet.volume * strain * strain;
+    shape.growth += 0.25 * tet.volume * (f.determinant() - 1);
+    shape.strain = std::max(shape.strain, strain);
+    shape.von_mises = std::max(shape.von_mises, von_mises(f, stresses[q]));
   }
   return shape;
 }
@@ -95,6 +113,8 @@ Measures measure(const Model& model, const State& state) {
       if (held[element[a]]) result.fixed_reaction += forces.gradient[a];
     const TetShape shape = shape_of(model, rest, state, t);
     strain2 += shape.squared_strain;
+    result.max_strain = std::max(result.max_strain, shape.strain);
+    result.max_von_mises = std::max(result.max_von_mises, shape.von_mises);
     volume += rest.volume;
     result.min_det_f = t == 0 ? shape.det_f.min : std::min(result.min_det_f, shape.det_f.min);
     result.max_det_f = t == 0 ? shape.det_f.max : std::max(result.max_det_f, shape.det_f.max);

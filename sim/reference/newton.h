@@ -37,9 +37,10 @@ struct Measures {
   /// Force of the supports on the body [N]: sum over constrained vertices, fixed or prescribed, of the elastic energy's
   /// gradient minus the weight. Inertia and viscous forces are not included.
   Eigen::Vector3d fixed_reaction{0, 0, 0};
-  double min_det_f = 1, max_det_f = 1;  // range of J over tets: of quadratic ones at their points and corners
-  double rms_strain = 0;                // root of the mean of |Green strain|^2 (Frobenius) over the volume
-  int inverted = 0;                     // tets with J <= 0 somewhere there
+  double min_det_f = 1, max_det_f = 1;       // range of J over tets: of quadratic ones at their points and corners
+  double max_strain = 0, max_von_mises = 0;  // Green strain (Frobenius) and Cauchy stress [Pa], largest at a point
+  double rms_strain = 0;                     // root of the mean of |Green strain|^2 (Frobenius) over the volume
+  int inverted = 0;                          // tets with J <= 0 somewhere there
 };
 Measures measure(const Model& model, const State& state);
 

@@ -3,18 +3,15 @@
 #include <chrono>
 
 #include "sim/accuracy/mesh_error.h"
-#include "sim/accuracy/nodal_stress.h"
 
 namespace fascia {
-namespace {
 
-std::vector<float> values_of(ColorBy color, const Model& model, const State& state, const std::stop_token& stop = {}) {
-  if (color == ColorBy::mesh_error) return at_vertices(model, estimate_mesh_error(model, state, stop));
-  const std::vector<double> stress = nodal_stress(model, state, stop).von_mises;
-  return {stress.begin(), stress.end()};
+RecoveredMap::Estimate RecoveredMap::estimate(ColorBy color, const Model& model, const State& state,
+                                              const std::stop_token& stop) {
+  if (color == ColorBy::mesh_error) return {at_vertices(model, estimate_mesh_error(model, state, stop)), {}};
+  const NodalStress stress = nodal_stress(model, state, stop);
+  return {{stress.von_mises.begin(), stress.von_mises.end()}, peak_of(stress, model)};
 }
-
-}  // namespace
 
 bool RecoveredMap::update(const Simulation& simulation, ColorBy color) {
   Subject subject{color, simulation.steps_made() - simulation.steps_asleep(), simulation.model.materials};
@@ -24,17 +21,17 @@ bool RecoveredMap::update(const Simulation& simulation, ColorBy color) {
     running_color_ = color;
     running_ =
         std::async(std::launch::async, [color, model = simulation.model, state = simulation.state(),
-                                        stop = stop_.get_token()] { return values_of(color, model, state, stop); });
+                                        stop = stop_.get_token()] { return estimate(color, model, state, stop); });
   }
   if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
-  values_ = running_.get();
+  shown_ = running_.get();
   color_ = running_color_;
   return true;
 }
 
 void RecoveredMap::measure(const Simulation& simulation, ColorBy color) {
   forget();
-  values_ = values_of(color, simulation.model, simulation.state());
+  shown_ = estimate(color, simulation.model, simulation.state());
   color_ = color;
 }
 

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {
@@ -28,8 +29,10 @@ class RecoveredMap {
   /// [vertex_count] of this map; empty before its first estimate.
   const std::vector<float>& values(ColorBy color) const {
     static const std::vector<float> none;
-    return color_ == color ? values_ : none;
+    return color_ == color ? shown_.values : none;
   }
+  /// Of the recovered stress, while its map is shown; none before its first estimate.
+  const std::optional<PeakStress>& peak() const { return shown_.peak; }
   void forget();  // the state has jumped: discards a pending estimate
 
  private:
@@ -40,11 +43,17 @@ class RecoveredMap {
     bool operator==(const Subject&) const = default;
   };
 
+  struct Estimate {
+    std::vector<float> values{};  // [vertex_count]
+    std::optional<PeakStress> peak{};
+  };
+  static Estimate estimate(ColorBy color, const Model& model, const State& state, const std::stop_token& stop = {});
+
   std::optional<Subject> subject_;  // of the last estimate that began
   std::stop_source stop_;
-  std::future<std::vector<float>> running_;
-  std::vector<float> values_;
-  ColorBy color_ = ColorBy::none, running_color_ = ColorBy::none;  // of values_, of running_
+  std::future<Estimate> running_;
+  Estimate shown_;
+  ColorBy color_ = ColorBy::none, running_color_ = ColorBy::none;  // of shown_, of running_
 };
 
 }  // namespace fascia

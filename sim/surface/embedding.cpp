@@ -138,6 +138,21 @@ EmbeddedPoints embed(std::vector<Vector3d> points, const std::vector<Vector3d>& 
   return result;
 }
 
+std::vector<Vector3d> at_points(const EmbeddedPoints& points, const std::vector<Vector3d>& of_vertices) {
+  std::vector<Vector3d> values;
+  values.reserve(points.ties.size());
+  for (std::size_t i = 0; i < points.ties.size(); ++i) {
+    const Tet& corners = points.ties[i].vertices;
+    const QuadraticTie tie = points.quadratic.empty() ? linear_tie(points.ties[i]) : points.quadratic[i];
+    Vector3d value = Vector3d::Zero();
+    for (std::size_t a = 0; a < 4; ++a) value += tie.weights[a] * of_vertices[corners[a]];
+    for (std::size_t a = 0; a < 6 && tie.middles != kNoMidEdges; ++a)
+      value += tie.weights[4 + a] * of_vertices[tie.middles[a]];
+    values.push_back(value);
+  }
+  return values;
+}
+
 void append(EmbeddedPoints& points, const EmbeddedPoints& more) {
   const auto add_ties = [&](const EmbeddedPoints& of) {
     if (of.quadratic.empty())

@@ -35,6 +35,8 @@ struct EmbeddedPoints {
 /// [tets], or empty if all are linear.
 EmbeddedPoints embed(std::vector<Eigen::Vector3d> points, const std::vector<Eigen::Vector3d>& vertices,
                      const std::vector<Tet>& tets, const std::vector<MidEdges>& mid_edges = {});
+/// [n] what a field over the vertices has at the points: of displacements their motion.
+std::vector<Eigen::Vector3d> at_points(const EmbeddedPoints& points, const std::vector<Eigen::Vector3d>& of_vertices);
 /// Adds the points of another body.
 void append(EmbeddedPoints& points, const EmbeddedPoints& more);
 

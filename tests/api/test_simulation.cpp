@@ -124,6 +124,31 @@ TEST_CASE("In equilibrium the supports carry the weight, on the GPU and by the r
   }
 }
 
+// Without lateral contraction a stretch l has the Cauchy stress E l (l^2 - 1) / 2 everywhere.
+TEST_CASE("The stress recovered at the vertices of a drawn cube is that of the closed form") {
+  const bool reference = GENERATE(false, true);
+  CAPTURE(reference);
+  constexpr double kStretch = 1.02, kExact = 1e5 * kStretch * (kStretch * kStretch - 1) / 2;
+  Body cube = standing_cube();
+  cube.material = {.young_modulus = 1e5, .poisson_ratio = 0, .model = "st_venant_kirchhoff"};
+  Simulation simulation(scene_of(cube), reference ? Context::none() : context(), {.reference = reference});
+  CHECK(simulation.recovered_stress().max_von_mises < 1e-6 * kExact);
+  std::vector<double> drawn(simulation.rest_positions().begin(), simulation.rest_positions().end());
+  for (std::size_t v = 0; v < simulation.vertex_count(); ++v) drawn[3 * v + 1] *= kStretch;
+  simulation.set_positions(drawn);
+  const RecoveredStress stress = simulation.recovered_stress();
+  const double digits = reference ? 1e-9 : 1e-4;  // the GPU's positions are float32, of strains of 2 %
+  REQUIRE(stress.von_mises.size() == simulation.vertex_count());
+  REQUIRE(stress.cauchy.size() == 6 * simulation.vertex_count());
+  for (std::size_t v = 0; v < simulation.vertex_count(); ++v) {
+    CHECK(stress.von_mises[v] == Approx(kExact).epsilon(digits));
+    for (std::size_t k = 0; k < 6; ++k)
+      CHECK(stress.cauchy[6 * v + k] == Approx(k == 1 ? kExact : 0).margin(digits * kExact));
+  }
+  CHECK(stress.max_von_mises == *std::ranges::max_element(stress.von_mises));
+  CHECK(stress.p99_von_mises == Approx(kExact).epsilon(digits));
+}
+
 TEST_CASE("A search for equilibrium ends when it is stopped, and refuses a falling body") {
   Simulation simulation(scene_of(standing_cube(4)), context());
   std::stop_source stop;

@@ -35,6 +35,10 @@ class Arrays(unittest.TestCase):
     def test_shapes_and_types(self):
         s = simulation()
         expected = "ndarray" if numpy else "memoryview"
+        recovered = s.recovered_stress()
+        self.assertEqual(tuple(recovered.cauchy.shape), (27, 6))
+        self.assertEqual(recovered.max_von_mises, max(recovered.von_mises))
+        self.assertLessEqual(recovered.p99_von_mises, recovered.max_von_mises)
         for array, shape in [(s.positions, (27, 3)), (s.tets, (48, 4)), (s.masses, (27,)), (s.green_strain(), (48, 6)), (s.fixed, (9,))]:
             self.assertEqual(type(array).__name__, expected)
             self.assertEqual(tuple(array.shape), shape)
@@ -52,9 +56,10 @@ class Arrays(unittest.TestCase):
         s.step()
         mesh, state = fascia.make_box(2, 2, 2, (0.1, 0.1, 0.1)), s.save()
         views = [mesh.positions, mesh.tets, state.displacements, state.velocities, s.rest_positions, s.tets, s.surface_triangles, s.fixed]
-        copies = [s.positions, s.velocities, s.masses, s.von_mises(), s.green_strain(), s.det_f()]
+        stress = s.recovered_stress()
+        copies = [s.positions, s.velocities, s.masses, s.von_mises(), s.green_strain(), s.det_f(), stress.cauchy, stress.von_mises]
         before = [memoryview(a).tobytes() for a in views + copies]
-        del mesh, state, s
+        del mesh, state, s, stress
         gc.collect()
         others = [simulation() for _ in range(3)]  # in the memory that may have become free
         self.assertEqual([memoryview(a).tobytes() for a in views + copies], before)

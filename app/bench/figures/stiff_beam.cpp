@@ -70,12 +70,6 @@ double relative_error(const State& state, const State& exact) {
                    squared_distance(exact.displacement, rest));
 }
 
-bool is_finite(const State& state) {
-  for (const Eigen::Vector3d& u : state.displacement)
-    if (!u.allFinite()) return false;
-  return true;
-}
-
 }  // namespace
 
 void bench_stiff_beam(Bench& bench) {

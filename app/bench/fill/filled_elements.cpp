@@ -15,6 +15,7 @@
 #include "sim/grab/build_model.h"
 #include "sim/output/sample.h"
 #include "sim/simulation/simulation.h"
+#include "sim/surface/embedding.h"
 #include "sim/surface/shape_file.h"
 #include "sim/surface/surface_fill.h"
 
@@ -46,23 +47,6 @@ Filled filled(const Scene& base, ElementOrder elements, int resolution) {
   return result;
 }
 
-std::vector<Vector3d> at_samples(const Filled& filled, const State& state) {
-  std::vector<Vector3d> displacements;
-  for (std::size_t s = 0; s < filled.samples.points.size(); ++s) {
-    Vector3d u = Vector3d::Zero();
-    const Tet& corners = filled.samples.ties[s].vertices;
-    if (filled.samples.quadratic.empty()) {
-      for (std::size_t a = 0; a < 4; ++a) u += filled.samples.ties[s].weights[a] * state.displacement[corners[a]];
-    } else {
-      const QuadraticTie& tie = filled.samples.quadratic[s];
-      for (std::size_t a = 0; a < 4; ++a) u += tie.weights[a] * state.displacement[corners[a]];
-      for (std::size_t a = 0; a < 6; ++a) u += tie.weights[4 + a] * state.displacement[tie.middles[a]];
-    }
-    displacements.push_back(u);
-  }
-  return displacements;
-}
-
 std::unique_ptr<Simulation> simulate(const Bench& bench, const Filled& filled) {
   auto simulation = std::make_unique<Simulation>(filled.scene, filled.model, bench.graphics.programs.get(), false);
   simulation->gpu()->finish_background();
@@ -75,7 +59,7 @@ std::vector<Vector3d> equilibrium(const Bench& bench, const Filled& filled) {
   const auto simulation = simulate(bench, patient);
   const StaticReport report = simulation->solve_static();
   if (!report.converged) bench.say("not converged: " + describe(report));
-  return at_samples(filled, simulation->state());
+  return at_points(filled.samples, simulation->state().displacement);
 }
 
 std::vector<Vector3d> motion(const Bench& bench, const Filled& filled) {
@@ -85,7 +69,7 @@ std::vector<Vector3d> motion(const Bench& bench, const Filled& filled) {
     bench.stop_if_interrupted();
     simulation->step();
     if (step % kWatchEvery != 0) continue;
-    const std::vector<Vector3d> now = at_samples(filled, simulation->state());
+    const std::vector<Vector3d> now = at_points(filled.samples, simulation->state().displacement);
     all.insert(all.end(), now.begin(), now.end());
   }
   return all;

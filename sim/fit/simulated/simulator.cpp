@@ -26,9 +26,4 @@ std::vector<Moment> static_moments(const Model& model, const Schedule& schedule)
   return moments;
 }
 
-bool is_finite(const State& state) {
-  return std::all_of(state.displacement.begin(), state.displacement.end(),
-                     [](const Eigen::Vector3d& u) { return u.allFinite(); });
-}
-
 }  // namespace fascia

@@ -66,6 +66,4 @@ std::vector<GrabSpring> springs_at(const Model& model, const Moment& moment);
 /// The moments of a static schedule, without states.
 std::vector<Moment> static_moments(const Model& model, const Schedule& schedule);
 
-bool is_finite(const State& state);
-
 }  // namespace fascia

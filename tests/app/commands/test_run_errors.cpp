@@ -1,7 +1,8 @@
-// The errors that fascia run --error measures and estimates.
+// The errors that fascia run --error measures and estimates, and the recovered stress beside that of the tets.
 // Covers: run
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/file.h"
 #include "tests/support/support.h"
@@ -55,4 +56,54 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CHECK(still.contains("mesh"));
   CHECK_FALSE(exact.contains("solver"));
   CHECK(exact.contains("time"));
+}
+
+// Without lateral contraction a cube between plates is stretched uniformly: the Cauchy stress is E l (l^2 - 1) / 2.
+TEST_CASE("run --recovered-stress has the stress of a drawn cube in statistics and history, which lack it otherwise",
+          "[cli]") {
+  const std::string elements = GENERATE("linear", "quadratic");
+  const TemporaryFolder folder;
+  constexpr double kModulus = 2e4, kStretch = 1.02;
+  const double exact = kModulus * kStretch * (kStretch * kStretch - 1) / 2;
+  const nlohmann::json held = {{"box", {{-1, -1, -1}, {1, 1e-4, 1}}}},
+                       drawn = {{"box", {{-1, 0.1 - 1e-4, -1}, {1, 1, 1}}}};
+  nlohmann::json body{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"elements", elements}};
+  body["materials"]["default"] = {{"young_modulus", kModulus}, {"poisson_ratio", 0}};
+  body["fixed"].push_back(held);
+  body["prescribed"].push_back({{"select", drawn}, {"translate", {0, (kStretch - 1) * 0.1, 0}}, {"duration", 0.02}});
+  nlohmann::json scene{{"fascia_scene", 1}, {"gravity", {0, 0, 0}}, {"solver", {{"iterations", 40}}}};
+  scene["bodies"].push_back(body);
+  write_file(folder / "cube.json", scene.dump());
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", "cube.json", "--context", "osmesa", "--stats", "s.json"});
+    const CommandResult result = run_fascia(more, folder.path());
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK((result.err.find("recovered von Mises stress") != std::string::npos) ==
+          (more.back() == "--recovered-stress"));
+    return nlohmann::json::parse(read_file(folder / "s.json"));
+  };
+  const nlohmann::json still = run({"--static", "--recovered-stress"});
+  CAPTURE(elements, exact);
+  for (const char* key : {"max_von_mises_Pa", "max_recovered_von_mises_Pa", "p99_recovered_von_mises_Pa"}) {
+    CAPTURE(key);
+    CHECK(still.at(key).get<double>() == Approx(exact).epsilon(1e-3));
+  }
+  const nlohmann::json moved = run({"--steps", "3", "--history", "h.csv", "--recovered-stress"});
+  const std::string history = read_file(folder / "h.csv");
+  CHECK(history.find(",max_von_mises_Pa,max_recovered_von_mises_Pa,p99_recovered_von_mises_Pa,momentum_x") !=
+        std::string::npos);
+  // The last row is of the state that the statistics describe.
+  const std::string last = history.substr(history.rfind('\n', history.size() - 2) + 1);
+  std::istringstream cells(last);
+  std::vector<double> values;
+  for (std::string cell; std::getline(cells, cell, ',') && values.size() < 12;) values.push_back(std::stod(cell));
+  REQUIRE(values.size() == 12);
+  CHECK(values[10] == Approx(moved.at("max_recovered_von_mises_Pa").get<double>()));
+  CHECK(values[11] == Approx(moved.at("p99_recovered_von_mises_Pa").get<double>()));
+  CHECK(values[11] > 0);
+  const nlohmann::json plain = run({"--steps", "1", "--history", "h.csv"});
+  CHECK(plain.contains("max_von_mises_Pa"));
+  CHECK_FALSE(plain.contains("max_recovered_von_mises_Pa"));
+  CHECK(read_file(folder / "h.csv").find("recovered_von_mises_Pa") == std::string::npos);
 }

@@ -28,11 +28,13 @@ TEST_CASE("every widget of every panel has a text that explains it", "[panels]")
                                   : std::vector<std::string>{});
     scene.solver.method = pair.method;
     scene.solver.acceleration = pair.acceleration;
-    scene.display.color = ColorBy::von_mises;
+    scene.display.color = xpbd ? ColorBy::von_mises : ColorBy::recovered_von_mises;
     scene.display.range = Eigen::Vector2d(0, 1e4);
     Session session(graphics, scene, false);
     session.simulation.step();
     session.true_error.measure(session.simulation);  // for the bars of its errors
+    session.measure_error();                         // for the peaks of the recovered stress
+    CHECK(session.recovered.peak().has_value() == !xpbd);
     session.simulation.gpu()->request_diagnostics();
     WindowState state;
     state.facts = SceneFacts(session.simulation.scene, session.simulation.model);

@@ -1,5 +1,6 @@
 #include "sim/accuracy/nodal_stress.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -47,6 +48,9 @@ TEST_CASE("a uniform Cauchy stress is exact at every vertex of a stretched and t
   CAPTURE(ten_nodes, largest, exact.norm());
   CHECK(largest < 1e-9 * exact.norm());
   for (const double value : stress.von_mises) REQUIRE(value == Approx(reference::von_mises(f, material)));
+  const PeakStress peak = peak_of(stress, model);
+  CHECK(peak.max == Approx(reference::von_mises(f, material)));
+  CHECK(peak.p99 == Approx(reference::von_mises(f, material)));
 }
 
 // The same bending as in fascia verify, with the exact displacements: without lateral contraction the stress is E y.
@@ -62,6 +66,13 @@ TEST_CASE(
   const NodalStress stress = nodal_stress(model, state);
   const auto exact_at = [](const Vector3d& x) { return 1e5 * kBend * std::abs(x.y() - 0.15); };
   const double outermost = 1e5 * kBend * 0.15;
+  const PeakStress peak = peak_of(stress, model);
+  CAPTURE(ten_nodes, peak.max / outermost, peak.p99 / outermost);
+  CHECK(peak.max == *std::max_element(stress.von_mises.begin(), stress.von_mises.end()));
+  CHECK(peak.p99 == exceeded_by_a_hundredth(stress.von_mises, vertex_volumes(model)));
+  // Coarse: the vertices of the two outermost faces stand for more than 1 % of the volume.
+  if (ten_nodes) CHECK(peak.max == Approx(outermost).epsilon(1e-4));
+  if (ten_nodes) CHECK(peak.p99 == Approx(outermost).epsilon(1e-4));
   double recovered = 0,
          tets = 0;  // squared errors at the vertices of all tets, and those of the tets' own stress there
   const std::vector<double> of_tets = reference::export_fields(model, state).von_mises;
@@ -125,4 +136,15 @@ TEST_CASE("a hundredth of the volume exceeds the percentile, whatever the order 
   double sum = 0;
   for (const double volume : vertex_volumes(model)) sum += volume;
   CHECK(sum == Approx(0.4 * 0.3 * 0.3));
+}
+
+TEST_CASE("the peak of stresses that are not finite is unknown, that of no stress zero") {
+  const Model model = box_of(false, soft(1e5));
+  NodalStress stress = nodal_stress(model, initial_state(model));
+  CHECK(peak_of(stress, model).max < 1e-9);
+  stress.von_mises[3] = std::nan("");
+  CHECK(std::isnan(peak_of(stress, model).max));
+  CHECK(std::isnan(peak_of(stress, model).p99));
+  CHECK(peak_of({}, Model()).max == 0);
+  CHECK(peak_of({}, Model()).p99 == 0);
 }

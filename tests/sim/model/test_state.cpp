@@ -2,6 +2,7 @@
 #include "sim/model/state.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/support/models.h"
 
@@ -16,6 +17,19 @@ TEST_CASE("a model starts at rest, with its initial velocities, at time 0") {
   CHECK(state.time == 0);
   CHECK(state.velocity == model.initial_velocity);
   CHECK(state.displacement == std::vector<Vector3d>(12, Vector3d(0, 0, 0)));
+}
+
+TEST_CASE("a state is finite if every displacement and every velocity is") {
+  const Model model = test::make_model(make_box(2, 1, 1, {1, 1, 1}), Material{}, [](const Vector3d&) { return false; });
+  const State good = initial_state(model);
+  CHECK(is_finite(good));
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    State displaced = good, fast = good;
+    displaced.displacement.back().z() = bad;
+    fast.velocity.front().x() = bad;
+    CHECK_FALSE(is_finite(displaced));
+    CHECK_FALSE(is_finite(fast));
+  }
 }
 
 TEST_CASE("float32_of rounds every component to the nearest float32") {

@@ -81,6 +81,9 @@ TEST_CASE("exports are in the file's order; tets excluded from the simulation ar
   }
   CHECK(fields.von_mises[1] == Approx(von_mises(stretch, soft(1e5))).epsilon(1e-12));
   CHECK(fields.von_mises[4] == Approx(von_mises(stretch, soft(3e5))).epsilon(1e-12));
+  const Measures measures = measure(model, state);
+  CHECK(measures.max_von_mises == Approx(von_mises(stretch, soft(3e5))).epsilon(1e-12));
+  CHECK(measures.max_strain == Approx(0.22).epsilon(1e-12));
 }
 
 }  // namespace

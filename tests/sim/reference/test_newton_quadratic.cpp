@@ -86,6 +86,8 @@ TEST_CASE("patches of irregular quadratic tets take affine displacements exactly
   for (const double stress : fields.von_mises) CHECK(stress == Approx(exact).epsilon(1e-6));
   for (const double j : fields.det_f) CHECK(j == Approx(f.determinant()).epsilon(1e-9));
   const Measures measures = measure(model, state);
+  CHECK(measures.max_von_mises == Approx(exact).epsilon(1e-6));
+  CHECK(measures.max_strain == Approx(0.5 * (f.transpose() * f - Matrix3d::Identity()).norm()).epsilon(1e-9));
   CHECK(measures.volume_ratio == Approx(f.determinant()).epsilon(1e-9));
   CHECK(measures.min_det_f == Approx(f.determinant()).epsilon(1e-8));
   CHECK(measures.max_det_f == Approx(f.determinant()).epsilon(1e-8));

@@ -80,11 +80,15 @@ TEST_CASE(
   RecoveredMap map;
   map.measure(simulation, ColorBy::mesh_error);
   CHECK(map.values(ColorBy::recovered_von_mises).empty());
+  CHECK_FALSE(map.peak());
   map.measure(simulation, ColorBy::recovered_von_mises);
   CHECK(map.values(ColorBy::mesh_error).empty());
   const std::vector<double> stress = nodal_stress(simulation.model, simulation.state()).von_mises;
   CHECK(map.values(ColorBy::recovered_von_mises) == std::vector<float>(stress.begin(), stress.end()));
   CHECK(*std::max_element(stress.begin(), stress.end()) > 0);
+  REQUIRE(map.peak());
+  CHECK(map.peak()->max == *std::max_element(stress.begin(), stress.end()));
+  CHECK(map.peak()->p99 == exceeded_by_a_hundredth(stress, vertex_volumes(simulation.model)));
 
   // Shown in turn, each is computed anew.
   map.update(simulation, ColorBy::mesh_error);

@@ -63,6 +63,10 @@ TEST_CASE("points in quadratic tets follow a quadratic motion exactly, and conti
   const EmbeddedPoints embedded = embed(points, mesh.positions, mesh.tets, mesh.mid_edges);
   REQUIRE(embedded.quadratic.size() == points.size());
   CHECK(embedded.outside == 1);
+  std::vector<Vector3d> of_vertices;
+  for (const Vector3d& x : mesh.positions) of_vertices.push_back(motion(x));
+  const std::vector<Vector3d> moved = at_points(embedded, of_vertices);
+  REQUIRE(moved.size() == points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const QuadraticTie& tie = embedded.quadratic[i];
     Vector3d u = Vector3d::Zero(), rest = Vector3d::Zero();
@@ -80,6 +84,7 @@ TEST_CASE("points in quadratic tets follow a quadratic motion exactly, and conti
       expected = motion(foot) + 0.02 * along;
     }
     CHECK((u - expected).norm() < 1e-12);
+    CHECK((moved[i] - expected).norm() < 1e-12);
   }
 }
 
@@ -102,9 +107,13 @@ TEST_CASE("bodies of both elements are embedded in one list") {
     CHECK(points.quadratic[1 - of_linear].middles == b.quadratic[0].middles);
     CHECK(points.quadratic[2].weights[0] == a.ties[0].weights[0]);
     CHECK(points.quadratic[2].weights[9] == 0);
+    // The vertices of both boxes have the same numbers, as far as the linear one has them.
+    const std::vector<Vector3d> places = at_points(points, curved.positions);
+    for (std::size_t i = 0; i < 3; ++i) CHECK((places[i] - points.points[i]).norm() < 1e-14);
   }
   EmbeddedPoints points = a;
   append(points, a);
   CHECK(points.quadratic.empty());
   CHECK(points.ties.size() == 2);
+  for (const Vector3d& place : at_points(points, linear.positions)) CHECK((place - a.points[0]).norm() < 1e-14);
 }
