@@ -11,7 +11,7 @@ set(arrows
   "gl/timing: gl"
   "sim/accuracy: sim/elements sim/material sim/model sim/reference"
   "sim/bare_mesh: base sim/elements sim/grab sim/material sim/mesh sim/model sim/reference sim/surface"
-  "sim/coarse: sim/mesh sim/model"
+  "sim/coarse: sim/material sim/mesh sim/model"
   "sim/contact: sim/mesh sim/model sim/surface sim/tool"
   "sim/elements: sim/mesh"
   "sim/fit: base sim/fit/measured sim/fit/simulated sim/grab sim/material sim/model sim/reference sim/scene"

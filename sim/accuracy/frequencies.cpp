@@ -1,10 +1,9 @@
 #include "sim/accuracy/frequencies.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <numbers>
 #include <random>
 
+#include "sim/material/symmetric_eigen.h"
 #include "sim/reference/elastic_system.h"
 
 namespace fascia {
@@ -37,9 +36,9 @@ Eigen::VectorXd natural_frequencies(const Model& model, int count) {
     MatrixXd next(m.size(), columns);
     for (Eigen::Index c = 0; c < columns; ++c) next.col(c) = cholesky.solve(m.cwiseProduct(basis.col(c)));
     const MatrixXd k = next.transpose() * m.asDiagonal() * basis, n = next.transpose() * m.asDiagonal() * next;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (k + k.transpose()), n);
-    values = eigen.eigenvalues();
-    basis = next * eigen.eigenvectors();
+    const SymmetricEigen eigen = symmetric_eigen(0.5 * (k + k.transpose()), n);
+    values = eigen.values;
+    basis = next * eigen.vectors;
   }
   return values.head(std::min<Eigen::Index>(count, columns)).cwiseSqrt() / (2 * std::numbers::pi);
 }

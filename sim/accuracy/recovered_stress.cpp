@@ -1,6 +1,5 @@
 #include "sim/accuracy/recovered_stress.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "sim/material/law.h"
 #include "sim/material/signed_svd.h"
+#include "sim/material/symmetric_eigen.h"
 #include "sim/reference/quadratic_elasticity.h"
 
 namespace fascia {
@@ -146,12 +146,12 @@ RecoveredStress::Patch RecoveredStress::fit(const std::vector<Sample>& samples, 
       normal += sample.weight / weight * p.head(terms) * p.head(terms).transpose();
       right += sample.weight / weight * p.head(terms) * missing.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(normal);
-    const Eigen::VectorXd values = eigen.eigenvalues();
-    Eigen::MatrixXd by_eigenvector = eigen.eigenvectors().transpose() * right;
+    const SymmetricEigen eigen = symmetric_eigen(normal);
+    const Eigen::VectorXd& values = eigen.values;
+    Eigen::MatrixXd by_eigenvector = eigen.vectors.transpose() * right;
     for (int k = 0; k < terms; ++k)
       by_eigenvector.row(k) *= values[k] > kLeastEigenvalue * values[terms - 1] ? 1 / values[k] : 0;
-    patch.coefficients.topRows(terms) += eigen.eigenvectors() * by_eigenvector;
+    patch.coefficients.topRows(terms) += eigen.vectors * by_eigenvector;
   }
   return patch;
 }

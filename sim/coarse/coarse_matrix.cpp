@@ -1,11 +1,12 @@
 #include "sim/coarse/coarse_matrix.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "sim/material/symmetric_eigen.h"
 
 namespace fascia {
 
@@ -149,19 +150,19 @@ Eigen::MatrixXf with_stiffness(const Eigen::MatrixXf& inverse, const CoarseSpace
       for (std::uint32_t l = space.begin[s.vertex]; l < space.begin[s.vertex + 1]; ++l)
         stiffness(touched.at(space.node[k]), touched.at(space.node[l])) +=
             h * h * s.stiffness * space.weight[k] * space.weight[l];
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(stiffness);
-  const double least = kLeast * eigen.eigenvalues()[count - 1];
+  const SymmetricEigen eigen = symmetric_eigen(stiffness);
+  const double least = kLeast * eigen.values[count - 1];
   Eigen::Index first = 0;
-  while (first < count && !(eigen.eigenvalues()[first] > least)) ++first;
+  while (first < count && !(eigen.values[first] > least)) ++first;
   const Eigen::Index rank = 3 * (count - first);
   if (rank == 0) return inverse;  // springs without stiffness
   Eigen::MatrixXf functions = Eigen::MatrixXf::Zero(inverse.rows(), rank);
   Eigen::VectorXd compliance(rank);
   for (Eigen::Index m = 0; m < rank; ++m) {
-    compliance[m] = 1 / eigen.eigenvalues()[first + m / 3];
+    compliance[m] = 1 / eigen.values[first + m / 3];
     for (const auto& [node, place] : touched)
       functions(3 * static_cast<Eigen::Index>(node) + m % 3, m) =
-          static_cast<float>(eigen.eigenvectors()(place, first + m / 3));
+          static_cast<float>(eigen.vectors(place, first + m / 3));
   }
   const Eigen::MatrixXf moved = inverse * functions;
   MatrixXd small = (functions.transpose() * moved).cast<double>();

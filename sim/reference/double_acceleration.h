@@ -1,7 +1,7 @@
 // Chebyshev and Anderson acceleration of a fixed-point iteration in double precision, from their definitions: the
 // reference for the GPU passes, and for linear problems with known solutions.
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <deque>
 
 namespace fascia::reference {

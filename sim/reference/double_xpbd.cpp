@@ -1,6 +1,7 @@
 #include "sim/reference/double_xpbd.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "sim/material/signed_svd.h"
 #include "sim/ordering/morton_order.h"

@@ -1,13 +1,12 @@
 #include "sim/reference/elasticity.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/material/law.h"
+#include "sim/material/symmetric_eigen.h"
 
 namespace fascia::reference {
 namespace {
@@ -59,12 +58,11 @@ double von_mises(const Matrix3d& f, const Matrix3d& first_piola) {
   return std::sqrt(1.5 * deviator.squaredNorm());
 }
 
-// The eigenvectors have run-time size: unrolled at 12 x 12 they take minutes to compile with sanitizers.
 void clamp_negative_eigenvalues(Eigen::Ref<Eigen::MatrixXd> hessian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
-  if (eigen.eigenvalues()[0] >= 0) return;
-  const Eigen::VectorXd clamped = eigen.eigenvalues().cwiseMax(0.0);
-  hessian = eigen.eigenvectors() * clamped.asDiagonal() * eigen.eigenvectors().transpose();
+  const SymmetricEigen eigen = symmetric_eigen(hessian);
+  if (eigen.values[0] >= 0) return;
+  const Eigen::VectorXd clamped = eigen.values.cwiseMax(0.0);
+  hessian = eigen.vectors * clamped.asDiagonal() * eigen.vectors.transpose();
 }
 
 // The viscous part always acts on the Green strain itself, which is smooth for any shape of the tet.

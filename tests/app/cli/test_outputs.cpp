@@ -172,7 +172,7 @@ TEST_CASE("a state that did not come to rest is no static equilibrium", "[output
   const TemporaryFolder folder;
   const fs::path state = folder.path() / "state.csv";
   const CommandResult result =
-      run_fascia({"run", (test::source_dir() / "assets/scenes/beam.json").string(), "--static", "--set",
+      run_fascia({"run", (test::source_dir() / "assets/scenes/cube.json").string(), "--static", "--set",
                   "materials.default.young_modulus=10", "--set", "materials.default.model=signed_st_venant_kirchhoff",
                   "--export", state.string()});
   CAPTURE(result.err);

@@ -1,13 +1,13 @@
 #include "tests/support/gpu/double_two_level.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 
 #include "sim/coarse/coarse_matrix.h"
 #include "sim/material/law.h"
+#include "sim/material/symmetric_eigen.h"
 
 namespace fascia::test {
 namespace {
@@ -156,11 +156,10 @@ void DoubleTwoLevel::descend(Acceleration acceleration) {
   VectorXd scale = a.diagonal().cwiseAbs().cwiseSqrt();
   if (!remembers) scale[last] = 0;
   for (double& s : scale) s = s > 0 ? 1 / s : 0;  // the last step was discarded entirely
-  const SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * a * scale.asDiagonal());
+  const SymmetricEigen eigen = symmetric_eigen(scale.asDiagonal() * a * scale.asDiagonal());
   const VectorXd b = -(scale.asDiagonal() * (z.transpose() * g));
-  const VectorXd modes =
-      (eigen.eigenvectors().transpose() * b).cwiseQuotient(eigen.eigenvalues().cwiseAbs().cwiseMax(0.03));
-  const VectorXd step = z * (scale.asDiagonal() * (eigen.eigenvectors() * modes));
+  const VectorXd modes = (eigen.vectors.transpose() * b).cwiseQuotient(eigen.values.cwiseAbs().cwiseMax(0.03));
+  const VectorXd step = z * (scale.asDiagonal() * (eigen.vectors * modes));
   u_ += step;
   last_step_ = step;
   previous_gradient_ = g;
