@@ -18,7 +18,7 @@ set(arrows
   "sim/fit/gpu: gl sim/fit/simulated sim/simulation"
   "sim/fit/measured: base base/csv sim/contact sim/mesh sim/model sim/reference sim/surface"
   "sim/fit/simulated: sim/contact sim/integrators sim/model sim/reference sim/reference/tangent sim/scene"
-  "sim/gpu: base gl sim/coarse sim/gpu/acceleration sim/gpu/contact sim/gpu/integrators sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
+  "sim/gpu: base gl sim/gpu/acceleration sim/gpu/contact sim/gpu/integrators sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"
   "sim/gpu/contact: base gl sim/coarse sim/contact sim/gpu/passes sim/model sim/tool"
   "sim/gpu/integrators: gl sim/gpu/passes"

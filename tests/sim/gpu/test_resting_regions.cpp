@@ -296,7 +296,6 @@ TEST_CASE("regions rest while a tool presses others, which move as in whole step
   const Case with_case =
       GENERATE(Case{gl::LoadPath::texel, false, 0.05, 8.6}, Case{gl::LoadPath::storage, false, 0.05, 7.6},
                Case{gl::LoadPath::texel, true, 0.05, 7.8}, Case{gl::LoadPath::texel, false, 4, 8.6});
-  Gpu gpu(with_case.loads);
   Model model = with_case.quadratic ? quadratic_sheet(0.02) : sheet(0.02);
   SolverSettings settings = with(SolverChoice{Method::two_level, Acceleration::subspace});
   State rest = initial_state(model);
@@ -308,6 +307,7 @@ TEST_CASE("regions rest while a tool presses others, which move as in whole step
     rest = free.download();
     for (Vector3d& v : rest.velocity) v.setZero();
   }
+  Gpu gpu(with_case.loads);
   constexpr double kRadius = 0.02, kDepth = 0.005;
   const double moved = 0.1, time = moved / with_case.speed;  // along the sheet
   const double top = 0.04 + rest.displacement[vertex_at(model, {0.1, 0.1, 0.04})].z();
