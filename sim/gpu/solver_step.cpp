@@ -175,11 +175,8 @@ void GpuSolver::choose_passes() {
   if (regions_) {
     const double way = touching ? contact_.way_of(next_tools()) : 0;
     // What no tool was near when regions were listed stays out of their reach until they have come as far as that.
-    const bool reach = tools_way_ + way > contact_.margin();
-    if (touching != touches() || reach || time_ < model_.end_of_motions()) {
-      regions_->restart();
-      tools_way_ = 0;
-    }
+    const bool reach = way + (is_partial() ? tools_way_ : 0) > contact_.margin();
+    if (touching != touches() || reach || time_ < model_.end_of_motions()) regions_->restart();
     tools_way_ += way;
     const auto awake = [&] {
       tools_way_ = way;
@@ -214,7 +211,7 @@ void GpuSolver::run_partial_kernels() {
   take(before);
   if (contact_.acts()) buffers_.upload_state(model_, state);
   time_ = state.time;
-  regions_->restart();
+  restart_rounds();
 }
 
 void GpuSolver::run_contact_kernels() {

@@ -32,7 +32,7 @@ void add(std::vector<vec4>& rows, const RigidPose& pose, double w0, double w1, d
 }
 
 // The farthest that a point of a piece moves, at most [m].
-double way_of(const ToolShape& shape, const RigidPose& from, const RigidPose& to) {
+double farthest_way(const ToolShape& shape, const RigidPose& from, const RigidPose& to) {
   const double radius = bounding_radius(shape);
   const Vector3d middle = middle_of(shape);
   const double way = (to.to_scene(middle) - from.to_scene(middle)).norm();
@@ -128,8 +128,8 @@ double ContactTerm::way_of(const ToolMotion& motion) const {
   double farthest = 0;
   for (const ContactPiece& piece : surface_.pieces) {
     const Tool& tool = tools_[piece.tool];
-    farthest = std::max(farthest, fascia::way_of(tool.shape, tool.pose_of_piece(piece.piece, motion.from[piece.tool]),
-                                                 tool.pose_of_piece(piece.piece, motion.to[piece.tool])));
+    farthest = std::max(farthest, farthest_way(tool.shape, tool.pose_of_piece(piece.piece, motion.from[piece.tool]),
+                                               tool.pose_of_piece(piece.piece, motion.to[piece.tool])));
   }
   return farthest;
 }
@@ -201,7 +201,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     const ToolPlace &from = motion.from[piece.tool], &to = motion.to[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
     const PieceRows shape = piece_rows_of(tool.shape, first_nodes_[piece.tool]);
-    const double share = 1.0 / (1 << (2 * piece.level)), reach = fascia::way_of(tool.shape, before, after) + margin_;
+    const double share = 1.0 / (1 << (2 * piece.level)), reach = farthest_way(tool.shape, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);

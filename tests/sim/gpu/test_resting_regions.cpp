@@ -353,3 +353,38 @@ TEST_CASE("regions rest while a tool presses others, which move as in whole step
   CHECK(farthest_apart < 2 * settings.rest_speed * whole.buffers().size);
   CHECK(farthest_force < 0.01 * largest_force);
 }
+
+TEST_CASE("steps in which regions rest while a tool presses others repeat from every checked state", "[gpu]") {
+  Gpu gpu;
+  Model model = two_stiff_bars();
+  model.gravity.setZero();  // so that the bar beside rests
+  Tool ball;
+  ball.name = "ball";
+  ball.shape = SphereShape{{0, 0, 0}, 0.02};
+  ball.path = {{0, {0.2, 0.115, 0.05}, {0, 0, 0}}, {1, {0.5, 0.115, 0.05}, {0, 0, 0}}};  // 5 mm a step
+  model.tools = {ball};
+  GpuSolver solver(gpu.programs, model, with(SolverChoice{Method::two_level, Acceleration::subspace}));
+  GpuSolver again(gpu.programs, model, solver.settings());
+  int partial = 0, pressed = 0;
+  for (int i = 0; i < 55; ++i) {
+    if (i % 5 == 0) {  // in the middle of rounds
+      solver.request_check();
+      REQUIRE(solver.take_check(true));
+      again.upload(solver.download());
+      again.request_check();
+      REQUIRE(again.take_check(true));
+    }
+    solver.step();
+    again.step();
+    partial += !solver.last_was_whole();
+    pressed += solver.last_had_contact();
+    const State a = solver.download(), b = again.download();
+    CAPTURE(i, farthest(a, b), partial, pressed);
+    REQUIRE(solver.last_was_whole() == again.last_was_whole());
+    REQUIRE(a.displacement == b.displacement);
+    REQUIRE(a.velocity == b.velocity);
+  }
+  CAPTURE(partial, pressed);
+  CHECK(partial > 5);
+  CHECK(pressed > 40);
+}
