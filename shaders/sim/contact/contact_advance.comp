@@ -1,20 +1,29 @@
-// Moves the bodies along the first step to where they meet something. Where the whole step raises the objective, the
-// iterations so go back to there, and not to the start of the stage. After guess_begin.
+// Moves the bodies along the first step, without gravity if they are carried (support.glsl), to where they meet
+// something. Where the whole step raises the objective, the iterations so go back to there, and not to the start of the
+// stage. After guess_begin.
 #include "common/io.glsl"
 COMPUTE_1D
-INPUT_UINT(ContactLimit, contact_limit)  // [bodies] as floats: the share of the step that is free
-INPUT_UINT(ContactBody, contact_body)    // [vertex_count] NO_BODY where constrained
-INPUT_VEC4_IN_PLACE(Iterate, iterate)    // [vertex_count] u at the start of the stage [m]
+#include "common/step.glsl"
+#include "sim/contact/support.glsl"
+INPUT_UINT(ContactBodies, contact_bodies)  // support.glsl
+INPUT_UINT(ContactBody, contact_body)      // [2 * vertex_count] whose share limits it, NO_BODY where constrained; its own
+INPUT_VEC4_IN_PLACE(Iterate, iterate)      // [vertex_count] u at the start of the stage [m]
 OUTPUT(vec4, Displacement, displacement)
-INOUT(vec4, LastStep, last_step)         // [vertex_count] p [m]
+INOUT(vec4, LastStep, last_step)           // [vertex_count] p [m]
+uniform uint bodies;
 #define NO_BODY 0xffffffffu
 
 void main() {
   ITEM_OR_RETURN(i)
-  uint body = FETCH1(contact_body, i);
-  if (body == NO_BODY) return;
-  float share = uintBitsToFloat(FETCH1(contact_limit, body));
-  if (share == 0.0 || share >= 1.0) return;
-  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + share * last_step[i].xyz;
-  last_step[i].xyz *= 1.0 - share;
+  uint leader = FETCH1(contact_body, 2u * i);
+  if (leader == NO_BODY) return;
+  float share = uintBitsToFloat(FETCH1(contact_bodies, leader));
+  uint force = FORCE_OF_BODY(FETCH1(contact_body, 2u * i + 1u));
+  bool carried = is_carried(FETCH1(contact_bodies, force), FETCH1(contact_bodies, force + 1u), FETCH1(contact_bodies, force + 2u));
+  if (share == 0.0 || share >= 1.0 && !carried) return;
+  vec3 free = last_step[i].xyz;
+  if (carried) free -= SUBSTEP * SUBSTEP * GRAVITY;
+  free *= min(share, 1.0);
+  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + free;
+  last_step[i].xyz -= free;
 }

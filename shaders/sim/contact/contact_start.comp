@@ -1,13 +1,15 @@
 // Begins a stage at every contact point: finds the pieces that it may touch within the stage, and for these the anchor
 // of friction and the normal. A point is near a piece that it pressed before, or if its distance at the start is less
-// than twice its way to the inertial start of the iterations plus the way of the piece and a margin. How much of that way
-// its body goes before it meets the piece limits where the iterations start. A point whose way leads through the piece, or
-// so deep into it that another side is nearer, meets for this stage the plane at which it enters, as
-// sim/tool/tool_entry.h states. After predict.
+// than twice its way to the inertial start of the iterations plus the way of the piece and a margin. How much of that
+// way, without gravity if its body is carried (support.glsl), the point goes before it meets the piece limits where the
+// iterations start. A point whose way leads through the piece, or so deep into it that another side is nearer, meets for
+// this stage the plane at which it enters, as sim/tool/tool_entry.h states. After contact_support.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
+#include "common/step.glsl"
+#include "sim/contact/support.glsl"
 INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
@@ -18,8 +20,8 @@ OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] u with which points
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 OUTPUT(vec4, ContactForce, contact_force)          // [points]
 OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
-INOUT(uint, ContactLimit, contact_limit)           // [bodies] contact_advance.comp; then [points] the bodies
-uniform uint pieces, bodies;
+INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
+uniform uint pieces, bodies, points;
 
 // The share of the way from a to b, in the axes of the piece, at which it enters the piece; 1: not.
 float entry_of(uint piece, vec3 a, vec3 way) {
@@ -39,6 +41,9 @@ void main() {
   vec4 weights = FETCH(contact_weights, i);
   vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
   vec3 rest = FETCH(contact_rest, i).xyz, x = rest + start;
+  float reach = 2.0 * length(way);
+  uint force = FORCE_OF_BODY(contact_bodies[BODY_OF_POINT(i)]), leader = contact_bodies[LEADER_OF_POINT(i)];
+  if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u])) way -= SUBSTEP * SUBSTEP * GRAVITY;
   uint near = 0u;
   for (uint piece = 0u; piece < pieces; ++piece) {
     if (i >= points_of(piece)) continue;
@@ -47,7 +52,7 @@ void main() {
     vec4 d = distance_to(piece, local), plane = vec4(0.0, 0.0, 0.0, NO_PLANE);
     vec4 memory = FETCH(contact_memory, row);
     contact_before[row] = memory;
-    bool touches = memory.w > 0.0 || d.w - half_thickness(piece) < 2.0 * length(way) + reach_of(piece);
+    bool touches = memory.w > 0.0 || d.w - half_thickness(piece) < reach + reach_of(piece);
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
@@ -72,7 +77,7 @@ void main() {
     before -= half_thickness(piece);
     after -= half_thickness(piece);
     if (after < -let_in(piece) && after < before)
-      atomicMin(contact_limit[contact_limit[bodies + i]], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after)));
+      atomicMin(contact_bodies[leader], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after)));
 #if MESHES
     d.xyz = normalize(d.xyz);
 #endif

@@ -50,7 +50,8 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
   with_entry.emplace_back("ENTRY_STEPS", std::to_string(kEntrySteps));
   gl::ComputePass pass(programs.compute(kernel, with_entry), std::move(more), point_count(),
                        {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
-                        {"bodies", static_cast<std::uint32_t>(limits_.size())}});
+                        {"bodies", starts_.body_count()},
+                        {"points", point_count()}});
   pass.loops((kEntrySteps + 6) * loops_of_point());
   return pass;
 }
@@ -82,18 +83,25 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
 
 EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   Passes passes;
-  if (!surface_.empty())
+  if (!surface_.empty()) {
+    passes.push_back(over_points(programs, "sim/contact/contact_support.comp",
+                                 {{"step", &buffers.step},
+                                  {"start_displacement", &buffers.start_of_stage()},
+                                  {"contact_memory", &buffers.contact_memory},
+                                  {"contact_bodies", &starts_.bodies()}}));
     passes.push_back(over_points(programs, "sim/contact/contact_start.comp",
-                                 {{"start_displacement", &buffers.start_of_stage()},
+                                 {{"step", &buffers.step},
+                                  {"start_displacement", &buffers.start_of_stage()},
                                   {"displacement", &buffers.displacement},
                                   {"contact_memory", &buffers.contact_memory},
                                   {"contact_before", &buffers.contact_before},
                                   {"contact_near", &near_},
                                   {"contact_anchor", &rows_},
                                   {"contact_normal_now", &normals_},
-                                  {"contact_limit", &limit_},
+                                  {"contact_bodies", &starts_.bodies()},
                                   {"contact_force", &forces_},
                                   {"contact_block", &blocks_}}));
+  }
   const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
   if (!surface_.empty())
     passes
@@ -120,11 +128,13 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
 
 EnergyTerm::Passes ContactTerm::advance(const Recording& r, const gl::Buffer& step) const {
   return {r.over_vertices("sim/contact/contact_advance.comp", {},
-                          {{"contact_limit", &limit_},
-                           {"contact_body", &body_},
+                          {{"step", &r.buffers.step},
+                           {"contact_bodies", &starts_.bodies()},
+                           {"contact_body", &starts_.body_of_vertex()},
                            {"iterate", &r.buffers.displacement},
                            {"displacement", &r.buffers.displacement},
-                           {"last_step", &step}})};
+                           {"last_step", &step}},
+                          {{"bodies", starts_.body_count()}})};
 }
 
 EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const {

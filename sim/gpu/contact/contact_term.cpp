@@ -21,8 +21,7 @@ using shared::vec4;
 // A bound for the loops of kernels. More pairs would need as many faces that press on one vertex.
 constexpr std::uint32_t kMostPairsOfVertex = 1024;
 // How deep inside tools bodies are taken: enough for what touches to press, and for its stiffness to be known.
-constexpr double kLetIn = 1e-4;         // of the size
-constexpr std::uint32_t kNoBody = ~0u;  // shaders/sim/contact/contact_advance.comp
+constexpr double kLetIn = 1e-4;  // of the size
 
 void add(std::vector<vec4>& rows, const RigidPose& pose, double w0, double w1, double w2, double w3) {
   rows.push_back(row_of(pose.axes.col(0), w0));
@@ -104,17 +103,9 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
-  body_of_vertex_.assign(buffers.vertex_count, kNoBody);
-  limits_.assign(std::max<std::size_t>(model.bodies.size(), 1), 1);
-  leaders_.resize(limits_.size());
-  std::iota(leaders_.begin(), leaders_.end(), 0u);
-  const std::vector<char> held = model.held();
-  const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
-  for (std::size_t v = 0; v < held.size(); ++v)
-    if (!held[v]) body_of_vertex_[buffers.placement.place[v]] = bodies[v];
-  body_ = gl::Buffer("contact_body", body_of_vertex_);
-  limit_ = gl::Buffer("contact_limit", std::vector<std::uint32_t>(limits_.size() + point_count()));
-  upload_leaders();
+  std::vector<std::uint32_t> first_vertices;
+  for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
+  starts_ = BodyStarts(model, buffers, first_vertices);
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.row_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -169,28 +160,25 @@ void ContactTerm::make_grids() {
 void ContactTerm::materials_changed(const Model& model) {
   if (!acts()) return;
   pairs_.materials_changed(model);
+  starts_.materials_changed(model);
   upload_points(model);
 }
 
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration, SimBuffers& buffers) {
   if (!acts()) return;
-  std::fill(limits_.begin(), limits_.end(), 1.0f);
   if (!surface_.empty()) place_pieces(motion);
   if (!pairs_.empty()) {
     const bool had_pairs = !pairs_.rows().empty();
     pairs_.begin(time, duration, buffers, surface_.row_count);
-    pairs_.limit(limits_, leaders_);
-    upload_leaders();
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
   }
-  limit_.upload(0, limits_.size() * sizeof(float), limits_.data());
+  starts_.begin(model_.gravity, pairs_);
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {
   if (!pairs_.search_again(buffers, surface_.row_count)) return false;
   upload_pairs();
-  std::fill(limits_.begin(), limits_.end(), 0.0f);  // the start of the stage is where to go back to
-  limit_.upload(0, limits_.size() * sizeof(float), limits_.data());
+  starts_.stay();
   return true;
 }
 
@@ -237,17 +225,6 @@ void ContactTerm::upload_pairs() {
   constants_.upload(0, constants.size() * sizeof(vec4), constants.data());
   list_.upload(4 * sizeof(std::uint32_t), listed.size() * sizeof(std::uint32_t), listed.data());
   upload_entries();
-}
-
-void ContactTerm::upload_leaders() {
-  if (leaders_ == uploaded_leaders_) return;
-  uploaded_leaders_ = leaders_;
-  std::vector<std::uint32_t> of_vertices, of_points;
-  for (const std::uint32_t body : body_of_vertex_) of_vertices.push_back(body == kNoBody ? body : leaders_[body]);
-  for (std::uint32_t p = 0; p < point_count(); ++p) of_points.push_back(of_vertices[places_[p][0]]);
-  body_.upload(0, of_vertices.size() * sizeof(std::uint32_t), of_vertices.data());
-  if (!of_points.empty())
-    limit_.upload(limits_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
 }
 
 void ContactTerm::upload_entries() {

@@ -10,6 +10,7 @@
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
+#include "sim/gpu/contact/body_starts.h"
 #include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
@@ -88,7 +89,6 @@ class ContactTerm : public EnergyTerm {
   void place_pieces(const ToolMotion& motion);
   void upload_pairs();
   void upload_entries();
-  void upload_leaders();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   std::uint32_t loops_of_point() const;
@@ -103,16 +103,14 @@ class ContactTerm : public EnergyTerm {
   std::vector<std::vector<std::uint32_t>> point_entries_;  // [vertex] 4 * point + corner
   double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                                      // [m] how deep inside tools bodies are taken
-  std::vector<float> limits_;  // [body] the share of its first step at which it meets other tissue
-  std::vector<std::uint32_t> leaders_, uploaded_leaders_;  // [body] whose share it takes
-  std::vector<std::uint32_t> body_of_vertex_;              // at places of the buffers' vertices; kNoBody if held
+  BodyStarts starts_;
   std::uint32_t most_entries_ = 0;                         // of a vertex
   std::vector<std::array<std::uint32_t, 4>> places_;       // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;                   // of the points
   gl::Buffer begin_, end_, entries_;                       // the points of every vertex
   std::vector<std::size_t> first_nodes_;                   // [tool] in grids_
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
-  gl::Buffer pieces_, near_, counts_, list_, constants_, body_, limit_;
+  gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   gl::Buffer areas_;                    // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<shared::vec4> uploaded_;  // of pieces_

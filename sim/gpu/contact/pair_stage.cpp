@@ -97,4 +97,15 @@ void PairStage::limit(std::vector<float>& shares, std::vector<std::uint32_t>& le
   }
 }
 
+std::vector<Vector3d> PairStage::forces_on_bodies(std::size_t body_count) const {
+  std::vector<Vector3d> forces(body_count, Vector3d::Zero());
+  for (const PairRow& pair : rows_) {
+    const vec4& across = before_[force_row(pair.slot)];
+    const Vector3d force = pair.before * pair.normal + Vector3d(across.x, across.y, across.z);
+    forces[pair.bodies[0]] += force;
+    forces[pair.bodies[1]] -= force;
+  }
+  return forces;
+}
+
 }  // namespace fascia

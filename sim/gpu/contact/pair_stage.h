@@ -30,6 +30,8 @@ class PairStage {
   /// Bodies that press each other, or meet, go together: `leaders` [body] gets the first body of each such group, whose
   /// share is that of all.
   void limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const;
+  /// [body] what other tissue did to it at the end of the stage before [N].
+  std::vector<Eigen::Vector3d> forces_on_bodies(std::size_t body_count) const;
 
  private:
   template <class F>

@@ -51,13 +51,6 @@ inline Model cube(double size, int cells, const Material& material) {
   return model;
 }
 
-inline double largest_difference(const State& a, const State& b) {
-  double largest = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v)
-    largest = std::max(largest, (a.displacement[v] - b.displacement[v]).norm());
-  return largest;
-}
-
 /// States of a solver after `before` steps, and of it and of another one that goes on from there, after `more` steps.
 struct Repeated {
   State middle, here, elsewhere;

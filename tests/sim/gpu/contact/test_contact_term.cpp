@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "gl/loader.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
@@ -20,7 +21,7 @@ namespace {
 
 using Eigen::Vector3d;
 using test::cube;
-using test::largest_difference;
+using test::farthest;
 using test::soft_tissue;
 using test::tool;
 using test::two_level;
@@ -148,8 +149,12 @@ TEST_CASE("steps without contact before and after a touch are those with contact
     if (touched.empty() || touched.back() != solver.last_had_contact()) touched.push_back(solver.last_had_contact());
     const State a = solver.download(), b = always.download();
     CAPTURE(i);
-    REQUIRE(a.displacement == b.displacement);
-    REQUIRE(a.velocity == b.velocity);
+    if (gl::device().software) {
+      REQUIRE(a.displacement == b.displacement);
+      REQUIRE(a.velocity == b.velocity);
+    }
+    // Those with contact have other kernels, whose products the compilers of GPUs contract otherwise.
+    REQUIRE(farthest(a, b) <= 1e-6);
   }
   CHECK(touched == std::vector<bool>{false, true, false});
   for (const Vector3d& force : solver.contact_forces()) REQUIRE(force == Vector3d(0, 0, 0));
@@ -259,8 +264,8 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
       solver.step();
       solver.request_diagnostics();
       const Diagnostics d = *solver.take_diagnostics(true);
-      const double way = std::max(largest_difference(exact, before), 1e-4);
-      worst = std::max(worst, largest_difference(solver.download(), exact) / way);
+      const double way = std::max(farthest(exact, before), 1e-4);
+      worst = std::max(worst, farthest(solver.download(), exact) / way);
       for (std::size_t t = 0; t < 2; ++t) {
         const double force = newton.tool_loads()[t].force.norm();
         pressed = std::max(pressed, force);

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 using test::cube;
-using test::largest_difference;
+using test::farthest;
 using test::soft_tissue;
 using test::squared;
 using test::tool;
@@ -45,7 +45,7 @@ double error_of_steps(GpuSolver& solver, const Model& model, const SolverSetting
     const auto& tools = exact.tool_loads();
     if (exact.pair_loads().empty() && std::none_of(tools.begin(), tools.end(), [](auto& t) { return t.points > 0; }))
       continue;
-    const double share = largest_difference(solver.download(), reference) / largest_difference(reference, before);
+    const double share = farthest(solver.download(), reference) / farthest(reference, before);
     squared += share * share;
     ++touching;
   }

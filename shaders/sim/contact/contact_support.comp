@@ -1,0 +1,42 @@
+// Sums the forces with which pieces pressed each body at the end of the stage before. Those of other tissue are there
+// already. In integers, whose sum is the same in any order. After predict, before contact_start.
+#include "common/io.glsl"
+COMPUTE_1D
+#include "common/step.glsl"
+#include "sim/contact/piece.glsl"
+#include "sim/contact/point.glsl"
+#include "sim/contact/support.glsl"
+INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m]
+INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
+INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
+INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
+uniform uint pieces, bodies, points;
+
+void main() {
+  ITEM_OR_RETURN(i)
+  uint body = contact_bodies[BODY_OF_POINT(i)];
+  float units = uintBitsToFloat(contact_bodies[UNITS_OF_BODY(body)]);
+  vec3 force = vec3(0.0);
+  uint end = units > 0.0 ? pieces : 0u;
+  for (uint piece = 0u; piece < end; ++piece) {
+    if (i >= points_of(piece)) continue;
+    vec4 memory = FETCH(contact_memory, first_row_of(piece) + i);
+    if (memory.w <= 0.0) continue;
+    uvec4 vertices = FETCH(contact_vertices, i);
+    vec4 weights = FETCH(contact_weights, i);
+    PiecePose pose = pose_at_start(piece);
+    vec3 x = FETCH(contact_rest, i).xyz + AT_POINT(start_displacement, vertices, weights);
+    vec3 normal = distance_to(piece, to_local(pose, x)).xyz;
+#if MESHES
+    normal = normalize(normal);
+#endif
+    force += pose.axes * (memory.w * normal + memory.xyz);
+  }
+  const float most = 1073741824.0;  // 2^30
+  ivec3 whole = ivec3(round(clamp(units * force, -most, most)));
+  if (whole != ivec3(0)) {
+    atomicAdd(contact_bodies[FORCE_OF_BODY(body)], uint(whole.x));
+    atomicAdd(contact_bodies[FORCE_OF_BODY(body) + 1u], uint(whole.y));
+    atomicAdd(contact_bodies[FORCE_OF_BODY(body) + 2u], uint(whole.z));
+  }
+}

@@ -1,0 +1,20 @@
+// What carries a body: it hardly follows gravity within a step, and the iterations go back to where its velocity alone
+// leads. From where gravity leads, inside the ground, ten iterations would leave a body that is stiff for its size with
+// several times its weight. The forces that contact had at the end of the stage before tell whether it is carried, and
+// not how much: in a stiff body a start that is off by a hundredth of what gravity does is as bad as one without them.
+//
+// contact_bodies (sim/gpu/contact/body_starts.h): [bodies] as floats: the share of the first step that is free;
+// [3 * bodies] as integers: the force of contact, in units of SUPPORT_UNIT weights; [bodies] as floats: such units in a
+// newton, 0 for bodies that start without gravity; [points] the body whose share a point limits; [points] its own body
+#define FORCE_OF_BODY(body) (bodies + 3u * (body))
+#define UNITS_OF_BODY(body) (4u * bodies + (body))
+#define LEADER_OF_POINT(point) (5u * bodies + (point))
+#define BODY_OF_POINT(point) (5u * bodies + points + (point))
+#define SUPPORT_UNIT 3.814697265625e-6  // 2^-18
+
+// Half of the force with which a slope of this body's weight would press it is enough.
+bool is_carried(uint x, uint y, uint z) {
+  vec3 force = SUPPORT_UNIT * vec3(int(x), int(y), int(z));
+  float up = -dot(normalize(GRAVITY), force), size = length(force);
+  return up >= 0.2 * size && size * size >= 0.5 * up && size > 0.0;
+}

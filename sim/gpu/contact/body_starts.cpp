@@ -1,0 +1,81 @@
+#include "sim/gpu/contact/body_starts.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "sim/contact/tissue_surface.h"
+
+namespace fascia {
+namespace {
+
+constexpr std::uint32_t kNoBody = ~0u;      // shaders/sim/contact/contact_advance.comp
+constexpr double kUnitsOfWeight = 1 << 18;  // SUPPORT_UNIT of shaders/sim/contact/support.glsl
+
+}  // namespace
+
+BodyStarts::BodyStarts(const Model& model, const SimBuffers& buffers, const std::vector<std::uint32_t>& points)
+    : shares_(std::max<std::size_t>(model.bodies.size(), 1), 1),
+      leaders_(shares_.size()),
+      own_(buffers.vertex_count, kNoBody),
+      points_(points),
+      held_(shares_.size()) {
+  std::iota(leaders_.begin(), leaders_.end(), 0u);
+  const std::vector<char> held = model.held();
+  const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    if (!held[v]) own_[buffers.placement.place[v]] = bodies[v];
+    held_[bodies[v]] |= held[v];
+  }
+  vertices_ = gl::Buffer("contact_body", std::vector<std::uint32_t>(2 * own_.size()));
+  bodies_ = gl::Buffer("contact_bodies", std::vector<std::uint32_t>(5 * shares_.size() + 2 * points_.size()));
+  upload_leaders();
+  materials_changed(model);
+}
+
+void BodyStarts::materials_changed(const Model& model) {
+  masses_.assign(shares_.size(), 0);
+  const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
+  const std::vector<double> masses = lumped_masses(model);
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    if (!held_[bodies[v]]) masses_[bodies[v]] += masses[v];
+}
+
+void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
+  std::fill(shares_.begin(), shares_.end(), 1.0f);
+  if (!pairs.empty()) pairs.limit(shares_, leaders_);
+  upload_leaders();
+  std::vector<std::uint32_t> values;
+  for (const float share : shares_) values.push_back(std::bit_cast<std::uint32_t>(share));
+  const std::vector<Eigen::Vector3d> forces = pairs.forces_on_bodies(shares_.size());
+  std::vector<std::uint32_t> all_units;  // in a newton
+  for (std::size_t body = 0; body < shares_.size(); ++body) {
+    const double weight = masses_[body] * gravity.norm(), units = weight > 0 ? kUnitsOfWeight / weight : 0;
+    all_units.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(units)));
+    for (const double force : forces[body]) {
+      constexpr double kMost = 1 << 30;
+      const auto whole = static_cast<std::int32_t>(std::lround(std::clamp(units * force, -kMost, kMost)));
+      values.push_back(std::bit_cast<std::uint32_t>(whole));
+    }
+  }
+  values.insert(values.end(), all_units.begin(), all_units.end());
+  bodies_.upload(0, values.size() * sizeof(std::uint32_t), values.data());
+}
+
+void BodyStarts::stay() { bodies_.upload(0, shares_.size() * sizeof(float), std::vector<float>(shares_.size()).data()); }
+
+void BodyStarts::upload_leaders() {
+  if (leaders_ == uploaded_leaders_) return;
+  uploaded_leaders_ = leaders_;
+  std::vector<std::uint32_t> of_vertices, of_points;
+  for (const std::uint32_t body : own_)
+    of_vertices.insert(of_vertices.end(), {body == kNoBody ? body : leaders_[body], body});
+  vertices_.upload(0, of_vertices.size() * sizeof(std::uint32_t), of_vertices.data());
+  for (const std::uint32_t vertex : points_) of_points.push_back(of_vertices[2 * vertex]);
+  for (const std::uint32_t vertex : points_) of_points.push_back(own_[vertex]);
+  if (!of_points.empty())
+    bodies_.upload(5 * shares_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
+}
+
+}  // namespace fascia
