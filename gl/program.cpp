@@ -112,6 +112,11 @@ void Program::set_matrix(const char* name, const float* column_major_4x4) const 
 ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path)
     : folder_(std::move(folder)), load_path_(load_path) {}
 
+// A program that is in use outlives its deletion. NVIDIA's driver (580) then lets draws with later programs get lost.
+ProgramCache::~ProgramCache() {
+  if (!programs_.empty()) UseProgram(0);
+}
+
 const Program& ProgramCache::compute(const std::string& file, const Defines& defines) {
   return get(file, {{GL_COMPUTE_SHADER, file}}, defines);
 }

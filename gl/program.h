@@ -80,6 +80,9 @@ class ProgramCache {
   /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1
   /// on llvmpipe, where the fetches and stores of an invocation run in program order.
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
+  ~ProgramCache();
+  ProgramCache(const ProgramCache&) = delete;
+  ProgramCache& operator=(const ProgramCache&) = delete;
   LoadPath load_path() const { return load_path_; }
   /// Whether callers that record many passes should fuse them (fused_pass.h): compiling then takes two to three times
   /// as long. Initially off. `rare`: also passes that are not part of every step.

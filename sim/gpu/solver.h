@@ -243,6 +243,7 @@ class GpuSolver {
   StepKind whole_, apart_, partial_, partial_apart_;
   double tools_way_ = 0;  // [m] of the tools since regions were listed, at most
   StepKind* kind_ = &whole_;
+  gl::Downloads downloads_;  // for takes of contact
   bool always_whole_ = false;
   bool fuses_ = false;
   int before_every_ = 1;          // iterations from one run of `before` to the next

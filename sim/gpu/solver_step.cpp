@@ -81,6 +81,9 @@ bool GpuSolver::takes_contact(int iteration) const {
 
 void GpuSolver::iterate(int iteration, int count) {
   if (takes_contact(iteration)) {
+    contact_.read_stiffness(downloads_);
+    method_->read_for_contact(downloads_);
+    downloads_.run();
     const std::vector<PointStiffness> pressing = contact_.stiffness_at_points();
     method_->set_contact(pressing);
     if (regions_)

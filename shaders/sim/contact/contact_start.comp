@@ -10,7 +10,7 @@ COMPUTE_1D
 #include "sim/contact/point.glsl"
 #include "common/step.glsl"
 #include "sim/contact/support.glsl"
-INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
+INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m], w penalty [N/m]
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
@@ -42,7 +42,8 @@ void main() {
   vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
   vec3 rest = FETCH(contact_rest, i).xyz, x = rest + start;
   float reach = 2.0 * length(way);
-  uint force = FORCE_OF_BODY(contact_bodies[BODY_OF_POINT(i)]), leader = contact_bodies[LEADER_OF_POINT(i)];
+  uint body = contact_bodies[BODY_OF_POINT(i)], force = FORCE_OF_BODY(body), leader = contact_bodies[LEADER_OF_POINT(i)];
+  float mass = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]);
   if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u])) way -= SUBSTEP * SUBSTEP * GRAVITY;
   uint near = 0u;
   for (uint piece = 0u; piece < pieces; ++piece) {
@@ -76,8 +77,9 @@ void main() {
     }
     before -= half_thickness(piece);
     after -= half_thickness(piece);
-    if (after < -let_in(piece) && after < before)
-      atomicMin(contact_bodies[leader], floatBitsToUint(max(0.0, before + let_in(piece)) / (before - after)));
+    float in_by = least_depth(let_in(piece), share_of_penalty(piece) * FETCH(contact_rest, i).w, mass, before - after);
+    if (after < -in_by && after < before)
+      atomicMin(contact_bodies[leader], floatBitsToUint(max(0.0, before + in_by) / (before - after)));
 #if MESHES
     d.xyz = normalize(d.xyz);
 #endif

@@ -15,9 +15,9 @@ uniform uint pieces, bodies, points;
 void main() {
   ITEM_OR_RETURN(i)
   uint body = contact_bodies[BODY_OF_POINT(i)];
-  float units = uintBitsToFloat(contact_bodies[UNITS_OF_BODY(body)]);
+  float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * length(GRAVITY);
   vec3 force = vec3(0.0);
-  uint end = units > 0.0 ? pieces : 0u;
+  uint end = weight > 0.0 ? pieces : 0u;
   for (uint piece = 0u; piece < end; ++piece) {
     if (i >= points_of(piece)) continue;
     vec4 memory = FETCH(contact_memory, first_row_of(piece) + i);
@@ -33,7 +33,7 @@ void main() {
     force += pose.axes * (memory.w * normal + memory.xyz);
   }
   const float most = 1073741824.0;  // 2^30
-  ivec3 whole = ivec3(round(clamp(units * force, -most, most)));
+  ivec3 whole = weight > 0.0 ? ivec3(round(clamp(force / (SUPPORT_UNIT * weight), -most, most))) : ivec3(0);
   if (whole != ivec3(0)) {
     atomicAdd(contact_bodies[FORCE_OF_BODY(body)], uint(whole.x));
     atomicAdd(contact_bodies[FORCE_OF_BODY(body) + 1u], uint(whole.y));

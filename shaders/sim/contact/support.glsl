@@ -4,10 +4,10 @@
 // not how much: in a stiff body a start that is off by a hundredth of what gravity does is as bad as one without them.
 //
 // contact_bodies (sim/gpu/contact/body_starts.h): [bodies] as floats: the share of the first step that is free;
-// [3 * bodies] as integers: the force of contact, in units of SUPPORT_UNIT weights; [bodies] as floats: such units in a
-// newton, 0 for bodies that start without gravity; [points] the body whose share a point limits; [points] its own body
+// [3 * bodies] as integers: the force of contact, in units of SUPPORT_UNIT weights; [bodies] as floats: masses [kg], 0
+// for bodies that start without gravity; [points] the body whose share a point limits; [points] its own body
 #define FORCE_OF_BODY(body) (bodies + 3u * (body))
-#define UNITS_OF_BODY(body) (4u * bodies + (body))
+#define MASS_OF_BODY(body) (4u * bodies + (body))
 #define LEADER_OF_POINT(point) (5u * bodies + (point))
 #define BODY_OF_POINT(point) (5u * bodies + points + (point))
 #define SUPPORT_UNIT 3.814697265625e-6  // 2^-18
@@ -17,4 +17,12 @@ bool is_carried(uint x, uint y, uint z) {
   vec3 force = SUPPORT_UNIT * vec3(int(x), int(y), int(z));
   float up = -dot(normalize(GRAVITY), force), size = length(force);
   return up >= 0.2 * size && size * size >= 0.5 * up && size > 0.0;
+}
+
+// How deep inside a piece the iterations may start, so that a point with this penalty [N/m] presses [m]: `most`, but no
+// deeper than where it alone takes up a part of what stops the body on its `way` within the stage [m], or of its weight.
+float least_depth(float most, float penalty, float mass, float way) {
+  const float part = 0.3;  // of some ten points that touch
+  float inertia = mass * max(way / (SUBSTEP * SUBSTEP), length(GRAVITY));
+  return mass > 0.0 ? min(most, part * inertia / penalty) : most;
 }

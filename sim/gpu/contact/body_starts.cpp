@@ -49,17 +49,15 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
   std::vector<std::uint32_t> values;
   for (const float share : shares_) values.push_back(std::bit_cast<std::uint32_t>(share));
   const std::vector<Eigen::Vector3d> forces = pairs.forces_on_bodies(shares_.size());
-  std::vector<std::uint32_t> all_units;  // in a newton
   for (std::size_t body = 0; body < shares_.size(); ++body) {
     const double weight = masses_[body] * gravity.norm(), units = weight > 0 ? kUnitsOfWeight / weight : 0;
-    all_units.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(units)));
     for (const double force : forces[body]) {
       constexpr double kMost = 1 << 30;
       const auto whole = static_cast<std::int32_t>(std::lround(std::clamp(units * force, -kMost, kMost)));
       values.push_back(std::bit_cast<std::uint32_t>(whole));
     }
   }
-  values.insert(values.end(), all_units.begin(), all_units.end());
+  for (const double mass : masses_) values.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(mass)));
   bodies_.upload(0, values.size() * sizeof(std::uint32_t), values.data());
 }
 

@@ -1,6 +1,7 @@
 // What is read from contact on the GPU: its stiffness for the coarse level, forces of tools, pairs and vertices, and
 // pressures for pictures.
 #include <algorithm>
+#include <span>
 
 #include "sim/contact/tissue_surface.h"
 #include "sim/gpu/contact/contact_term.h"
@@ -10,19 +11,21 @@ namespace fascia {
 using Eigen::Vector3d;
 using shared::vec4;
 
+void ContactTerm::read_stiffness(gl::Downloads& downloads) {
+  read_list_.resize(4 + places_.size());
+  read_blocks_.resize(2 * places_.size());
+  downloads.add(list_, read_list_.size() * sizeof(std::uint32_t), read_list_.data());
+  downloads.add(blocks_, read_blocks_.size() * sizeof(vec4), read_blocks_.data());
+}
+
 std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
   std::vector<PointStiffness> result;
   const std::size_t most = places_.size();
-  std::uint32_t count = 0;
-  list_.download(3 * sizeof count, sizeof count, &count);
-  if (count == 0 || count > most) return result;
-  std::vector<std::uint32_t> points(count);
-  list_.download(4 * sizeof count, count * sizeof count, points.data());
-  std::vector<vec4> blocks(2 * most);
-  blocks_.download(0, blocks.size() * sizeof(vec4), blocks.data());
-  for (const std::uint32_t p : points) {
+  const std::uint32_t count = read_list_[3];
+  if (count > most) return result;  // a device that fails
+  for (const std::uint32_t p : std::span(read_list_).subspan(4, count)) {
     if (p >= most) return {};  // a device that fails
-    const vec4 &d = blocks[2 * p], &s = blocks[2 * p + 1];
+    const vec4 &d = read_blocks_[2 * p], &s = read_blocks_[2 * p + 1];
     if (!(d.x + d.y + d.z > 0)) continue;
     Eigen::Matrix3d stiffness;
     stiffness << d.x, s.z, s.y, s.z, d.y, s.x, s.y, s.x, d.z;

@@ -10,6 +10,7 @@
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
+#include "gl/downloads.h"
 #include "sim/gpu/contact/body_starts.h"
 #include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
@@ -50,8 +51,10 @@ class ContactTerm : public EnergyTerm {
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
   std::uint32_t curvature_partials(const gl::ProgramCache& programs) const override;
 
+  /// What stiffness_at_points() needs of the GPU, read before each call.
+  void read_stiffness(gl::Downloads& downloads);
   /// The stiffness of the points that press or stick, as the last forces were computed, at places of the buffers'
-  /// vertices. Waits for the GPU.
+  /// vertices.
   std::vector<PointStiffness> stiffness_at_points() const;
 
   /// The vertices of the points that were near a piece in the last stage, at places of the buffers' vertices. All other
@@ -113,7 +116,9 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   gl::Buffer areas_;                    // float [vertex_count] [m^2]; created for the first picture of pressures
-  std::vector<shared::vec4> uploaded_;  // of pieces_
+  std::vector<shared::vec4> uploaded_;       // of pieces_
+  std::vector<std::uint32_t> read_list_;     // of list_, for stiffness_at_points()
+  std::vector<shared::vec4> read_blocks_;    // of blocks_
 };
 
 }  // namespace fascia

@@ -154,11 +154,17 @@ void CoarseLevel::upload() {
   if (!contact_.nodes.empty()) upload_contact();
 }
 
+void CoarseLevel::read_for_contact(gl::Downloads& downloads) {
+  if (!contact_matrix_) return;
+  node_rotations_.resize(space_.node_count);
+  downloads.add(rotation_, node_rotations_.size() * sizeof(vec4), node_rotations_.data());
+}
+
 void CoarseLevel::set_contact(const std::vector<PointStiffness>& points) {
   if (empty() || !contact_matrix_ || (points.empty() && contact_.nodes.empty())) return;
   std::vector<Eigen::Quaternionf> rotations;
   if (!points.empty())
-    for (const vec4& q : rotation_.read<vec4>()) rotations.emplace_back(q.w, q.x, q.y, q.z);
+    for (const vec4& q : node_rotations_) rotations.emplace_back(q.w, q.x, q.y, q.z);
   TouchedNodes now = touched_nodes(space_, points, rotations, h_);
   const auto compliance = [&](Eigen::Index i) { return kOne * scales_[i] * scales_[i]; };
   if (keeps_contact_ && alike(now, contact_, compliance)) return;

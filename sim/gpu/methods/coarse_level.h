@@ -33,8 +33,9 @@ class CoarseLevel {
   /// Starts to compute the inverse if materials or h have changed; discards a request that still waits with older
   /// values.
   void values_changed(const Model& model, const SolverSettings& settings);
-  /// Sets the stiffness of contact, unless the last one serves again. Waits for the GPU, whose rotations of the nodes
-  /// it reads.
+  /// The rotations of the nodes, before each set_contact().
+  void read_for_contact(gl::Downloads& downloads);
+  /// Sets the stiffness of contact, unless the last one serves again.
   void set_contact(const std::vector<PointStiffness>& points);
   void forget_contact() { keeps_contact_ = false; }  // the last one does not serve again
   /// Sets the stiffness that springs add to that of the tissue.
@@ -69,6 +70,7 @@ class CoarseLevel {
   Eigen::VectorXf scales_;                      // of its rows
   TouchedNodes contact_;
   Eigen::MatrixXf contact_stiffness_;
+  std::vector<shared::vec4> node_rotations_;  // of the GPU, for set_contact()
   bool keeps_contact_ = false;
   std::vector<VertexStiffness> springs_;
   std::vector<Material> materials_;  // of the newest inverse, ready or not

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "gl/downloads.h"
 #include "sim/coarse/coarse_contact.h"
 #include "sim/gpu/passes/recording.h"
 #include "sim/ordering/graph_coloring.h"
@@ -56,6 +57,8 @@ class StepMethod {
   /// Upper bounds on what the passes of an iteration may defer (deferred_tets.h). `fused`: whether the passes are fused
   /// (gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }
+  /// What set_contact() needs of the GPU, read before each call.
+  virtual void read_for_contact(gl::Downloads&) {}
   /// Takes the stiffness of contact, after begin() and again where it has changed.
   virtual void set_contact(const std::vector<PointStiffness>&) {}
   /// The next set_contact() depends on its argument alone, so that steps from this state on repeat to the bit.

@@ -41,6 +41,7 @@ class TwoLevelMethod : public StepMethod {
     coarse_.values_changed(model, settings);
   }
   void set_stiffness(const std::vector<VertexStiffness>& springs) override { coarse_.set_stiffness(springs); }
+  void read_for_contact(gl::Downloads& downloads) override { coarse_.read_for_contact(downloads); }
   void set_contact(const std::vector<PointStiffness>& points) override { coarse_.set_contact(points); }
   void forget_contact() override { coarse_.forget_contact(); }
   bool descends() const override { return true; }

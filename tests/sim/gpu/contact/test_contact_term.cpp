@@ -226,6 +226,7 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
     ToolShape shape;
     std::vector<Instrument::Key> path;
     int iterations = 40;
+    int steps = 36;
   };
   const auto torus = std::make_shared<const SolidMesh>(solid_of(test::make_torus(64, 32, 0.06, 0.03), 1, "torus.obj"));
   const std::vector<Case> cases = {
@@ -241,11 +242,13 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
        CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.2},
        {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.17, 0.1}, {8, 0, 0}}},
        60},
-      // Thinner than the mesh: contact points within the faces, many of which come and go in a step.
+      // Thinner than the mesh: contact points within the faces, many of which come and go in a step. In step 33 a fold
+      // beside it snaps by 2.6 cm; after that, the next step has two solutions, 0.13 mm apart.
       {"probe",
        CapsuleShape{{0, 0, 0}, {0, 0.2, 0}, 0.012},
        {{0, {0.09, 0.22, 0.11}, {0, 0, 0}}, {0.6, {0.09, 0.17, 0.11}, {0, 0, 10}}},
-       150},
+       150,
+       34},
       {"mesh",
        MeshShape{"torus.obj", 1, torus},
        {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.11, 0.19, 0.1}, {0, 30, 10}}}}};
@@ -257,7 +260,7 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
     GpuSolver solver(gpu.programs, model, two_level(c.iterations));
     reference::NewtonSolver newton(model, two_level());
     double worst = 0, worst_force = 0, pressed = 0;
-    for (int i = 0; i < 36; ++i) {
+    for (int i = 0; i < c.steps; ++i) {
       State exact = solver.download();
       const State before = exact;
       newton.step(exact);

@@ -1,0 +1,66 @@
+// Bodies that are stiff for their size, which within a step would fall far into what carries them.
+#include "sim/gpu/contact/body_starts.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/gpu/solver.h"
+#include "sim/reference/newton.h"
+#include "tests/sim/contact/grasp.h"
+#include "tests/sim/gpu/contact/contact_scenes.h"
+#include "tests/support/gpu/gpu_fixture.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+using test::cube;
+using test::soft_tissue;
+using test::tool;
+using test::two_level;
+
+double force_of_ground(GpuSolver& solver) {
+  solver.request_diagnostics();
+  return solver.take_diagnostics(true)->tool_loads[0].force.y();
+}
+
+TEST_CASE("stiff small cubes press with their weight, after ten iterations", "[gpu][contact]") {
+  test::Gpu gpu;
+  const double size = GENERATE(0.01, 0.03), young_modulus = GENERATE(1e5, 1e6, 1e7);
+  const double bound = young_modulus * size > 1e5 ? 1e-2 : 1e-3;  // of the weight
+  Model model = cube(size, 3, soft_tissue(young_modulus));
+  model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
+  GpuSolver solver(gpu.programs, model, two_level());
+  for (int i = 0; i < 60; ++i) solver.step();
+  const double weight = 1000 * size * size * size * 9.81;
+  for (int i = 0; i < 20; ++i) {
+    solver.step();
+    CAPTURE(size, young_modulus, i);
+    REQUIRE(force_of_ground(solver) / weight == Approx(1).margin(bound));
+  }
+}
+
+TEST_CASE("a brick slides down a slope as the reference does", "[gpu][contact]") {
+  test::Gpu gpu;
+  constexpr double kFriction = 0.3;
+  const double times_limit = GENERATE(1.05, 1.5), young_modulus = GENERATE(1e5, 1e6);
+  Model model = test::make_model(make_box(4, 2, 2, {0.06, 0.02, 0.02}), soft_tissue(young_modulus),
+                                 [](const Vector3d&) { return false; });
+  const double slope = std::atan(times_limit * kFriction);
+  model.gravity = 9.81 * Vector3d(std::sin(slope), -std::cos(slope), 0);
+  model.tools = {tool("slope", PlaneShape{{0, 0, 0}, {0, 1, 0}}, kFriction)};
+  GpuSolver solver(gpu.programs, model, two_level());
+  reference::NewtonSolver newton(model, two_level());
+  State exact = solver.download();
+  for (int i = 0; i < 40; ++i) {
+    solver.step();
+    newton.step(exact);
+  }
+  const double speed = test::mean(solver.download().velocity).x(), true_speed = test::mean(exact.velocity).x();
+  CAPTURE(times_limit, young_modulus, speed, true_speed);
+  CHECK(true_speed > 0.05);
+  CHECK(speed == Approx(true_speed).epsilon(0.02));
+}
+
+}  // namespace
+}  // namespace fascia
