@@ -1,5 +1,5 @@
-// Moves the bodies along the first step, without gravity if they are carried (support.glsl), to where they meet
-// something. Where the whole step raises the objective, the iterations so go back to there, and not to the start of the
+// Moves the bodies along the first step, or along their way as a whole if they are carried (support.glsl), to where they
+// meet something. Where the whole step raises the objective, the iterations so go back to there, and not to the start of the
 // stage. After guess_begin.
 #include "common/io.glsl"
 COMPUTE_1D
@@ -22,7 +22,9 @@ void main() {
   bool carried = is_carried(FETCH1(contact_bodies, force), FETCH1(contact_bodies, force + 1u), FETCH1(contact_bodies, force + 2u));
   if (share == 0.0 || share >= 1.0 && !carried) return;
   vec3 free = last_step[i].xyz;
-  if (carried) free -= SUBSTEP * SUBSTEP * GRAVITY;
+  if (carried)
+    free = way_of_carried(FETCH1(contact_bodies, force + 3u), FETCH1(contact_bodies, force + 4u), FETCH1(contact_bodies, force + 5u),
+                          FETCH1(contact_bodies, force + 6u));
   free *= min(share, 1.0);
   displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + free;
   last_step[i].xyz -= free;

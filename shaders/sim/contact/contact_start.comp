@@ -1,7 +1,7 @@
 // Begins a stage at every contact point: finds the pieces that it may touch within the stage, and for these the anchor
 // of friction and the normal. A point is near a piece that it pressed before, or if its distance at the start is less
 // than twice its way to the inertial start of the iterations plus the way of the piece and a margin. How much of that
-// way, without gravity if its body is carried (support.glsl), the point goes before it meets the piece limits where the
+// way, or of that of its body if it is carried (support.glsl), the point goes before it meets the piece limits where the
 // iterations start. A point whose way leads through the piece, or so deep into it that another side is nearer, meets for
 // this stage the plane at which it enters, as sim/tool/tool_entry.h states. After contact_support.
 #include "common/io.glsl"
@@ -44,7 +44,8 @@ void main() {
   float reach = 2.0 * length(way);
   uint body = contact_bodies[BODY_OF_POINT(i)], force = FORCE_OF_BODY(body), leader = contact_bodies[LEADER_OF_POINT(i)];
   float mass = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]);
-  if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u])) way -= SUBSTEP * SUBSTEP * GRAVITY;
+  if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u])) 
+    way = way_of_carried(contact_bodies[force + 3u], contact_bodies[force + 4u], contact_bodies[force + 5u], contact_bodies[force + 6u]);
   uint near = 0u;
   for (uint piece = 0u; piece < pieces; ++piece) {
     if (i >= points_of(piece)) continue;

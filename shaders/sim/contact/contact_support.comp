@@ -1,5 +1,5 @@
-// Sums the forces with which pieces pressed each body at the end of the stage before. Those of other tissue are there
-// already. In integers, whose sum is the same in any order. After predict, before contact_start.
+// Sums the forces with which pieces pressed each body at the end of the stage before, and the ways on which the velocities
+// of the points that pressed lead. Those of other tissue are there already. In integers, whose sum is the same in any order. After predict, before contact_start.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "common/step.glsl"
@@ -8,6 +8,7 @@ COMPUTE_1D
 #include "sim/contact/support.glsl"
 INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m]
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
+INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
 INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
 uniform uint pieces, bodies, points;
@@ -16,7 +17,7 @@ void main() {
   ITEM_OR_RETURN(i)
   uint body = contact_bodies[BODY_OF_POINT(i)];
   float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * length(GRAVITY);
-  vec3 force = vec3(0.0);
+  vec3 force = vec3(0.0), way = vec3(0.0);
   uint end = weight > 0.0 ? pieces : 0u;
   for (uint piece = 0u; piece < end; ++piece) {
     if (i >= points_of(piece)) continue;
@@ -25,7 +26,8 @@ void main() {
     uvec4 vertices = FETCH(contact_vertices, i);
     vec4 weights = FETCH(contact_weights, i);
     PiecePose pose = pose_at_start(piece);
-    vec3 x = FETCH(contact_rest, i).xyz + AT_POINT(start_displacement, vertices, weights);
+    vec3 start = AT_POINT(start_displacement, vertices, weights), x = FETCH(contact_rest, i).xyz + start;
+    way = AT_POINT(displacement, vertices, weights) - start - SUBSTEP * SUBSTEP * GRAVITY;
     vec3 normal = distance_to(piece, to_local(pose, x)).xyz;
 #if MESHES
     normal = normalize(normal);
@@ -35,8 +37,14 @@ void main() {
   const float most = 1073741824.0;  // 2^30
   ivec3 whole = weight > 0.0 ? ivec3(round(clamp(force / (SUPPORT_UNIT * weight), -most, most))) : ivec3(0);
   if (whole != ivec3(0)) {
-    atomicAdd(contact_bodies[FORCE_OF_BODY(body)], uint(whole.x));
-    atomicAdd(contact_bodies[FORCE_OF_BODY(body) + 1u], uint(whole.y));
-    atomicAdd(contact_bodies[FORCE_OF_BODY(body) + 2u], uint(whole.z));
+    uint sums = FORCE_OF_BODY(body);
+    ivec3 ways = ivec3(round(clamp(way / (WAY_UNIT * SUBSTEP * SUBSTEP * length(GRAVITY)), -most, most)));
+    atomicAdd(contact_bodies[sums], uint(whole.x));
+    atomicAdd(contact_bodies[sums + 1u], uint(whole.y));
+    atomicAdd(contact_bodies[sums + 2u], uint(whole.z));
+    atomicAdd(contact_bodies[sums + 3u], uint(ways.x));
+    atomicAdd(contact_bodies[sums + 4u], uint(ways.y));
+    atomicAdd(contact_bodies[sums + 5u], uint(ways.z));
+    atomicAdd(contact_bodies[sums + 6u], 1u);
   }
 }

@@ -11,7 +11,8 @@ namespace fascia {
 namespace {
 
 constexpr std::uint32_t kNoBody = ~0u;      // shaders/sim/contact/contact_advance.comp
-constexpr double kUnitsOfWeight = 1 << 18;  // SUPPORT_UNIT of shaders/sim/contact/support.glsl
+constexpr double kUnitsOfWeight = 1 << 18;  // 1 / SUPPORT_UNIT of shaders/sim/contact/support.glsl
+constexpr double kUnitsOfWay = 1 << 13;     // 1 / WAY_UNIT
 
 }  // namespace
 
@@ -29,7 +30,7 @@ BodyStarts::BodyStarts(const Model& model, const SimBuffers& buffers, const std:
     held_[bodies[v]] |= held[v];
   }
   vertices_ = gl::Buffer("contact_body", std::vector<std::uint32_t>(2 * own_.size()));
-  bodies_ = gl::Buffer("contact_bodies", std::vector<std::uint32_t>(5 * shares_.size() + 2 * points_.size()));
+  bodies_ = gl::Buffer("contact_bodies", std::vector<std::uint32_t>(9 * shares_.size() + 2 * points_.size()));
   upload_leaders();
   materials_changed(model);
 }
@@ -48,14 +49,16 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
   upload_leaders();
   std::vector<std::uint32_t> values;
   for (const float share : shares_) values.push_back(std::bit_cast<std::uint32_t>(share));
-  const std::vector<Eigen::Vector3d> forces = pairs.forces_on_bodies(shares_.size());
+  const std::vector<PairStage::Support> supports = pairs.supports(shares_.size());
+  const auto add = [&](double value) {
+    constexpr double kMost = 1 << 30;
+    values.push_back(std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(std::clamp(value, -kMost, kMost)))));
+  };
   for (std::size_t body = 0; body < shares_.size(); ++body) {
-    const double weight = masses_[body] * gravity.norm(), units = weight > 0 ? kUnitsOfWeight / weight : 0;
-    for (const double force : forces[body]) {
-      constexpr double kMost = 1 << 30;
-      const auto whole = static_cast<std::int32_t>(std::lround(std::clamp(units * force, -kMost, kMost)));
-      values.push_back(std::bit_cast<std::uint32_t>(whole));
-    }
+    const double weight = masses_[body] * gravity.norm(), fall = pairs.duration() * pairs.duration() * gravity.norm();
+    for (const double force : supports[body].force) add(weight > 0 ? kUnitsOfWeight * force / weight : 0);
+    for (const double way : supports[body].way) add(weight > 0 && fall > 0 ? kUnitsOfWay * way / fall : 0);
+    values.push_back(weight > 0 ? supports[body].count : 0);
   }
   for (const double mass : masses_) values.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(mass)));
   bodies_.upload(0, values.size() * sizeof(std::uint32_t), values.data());
@@ -73,7 +76,7 @@ void BodyStarts::upload_leaders() {
   for (const std::uint32_t vertex : points_) of_points.push_back(of_vertices[2 * vertex]);
   for (const std::uint32_t vertex : points_) of_points.push_back(own_[vertex]);
   if (!of_points.empty())
-    bodies_.upload(5 * shares_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
+    bodies_.upload(9 * shares_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
 }
 
 }  // namespace fascia

@@ -87,6 +87,7 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
     passes.push_back(over_points(programs, "sim/contact/contact_support.comp",
                                  {{"step", &buffers.step},
                                   {"start_displacement", &buffers.start_of_stage()},
+                                  {"displacement", &buffers.displacement},
                                   {"contact_memory", &buffers.contact_memory},
                                   {"contact_bodies", &starts_.bodies()}}));
     passes.push_back(over_points(programs, "sim/contact/contact_start.comp",

@@ -21,6 +21,7 @@ PairStage::PairStage(const Model& model) : model_(model), search_(model) {
 void PairStage::materials_changed(const Model& model) { search_.materials_changed(model); }
 
 void PairStage::begin(double time, double duration, SimBuffers& buffers, std::uint32_t first_row) {
+  duration_ = duration;
   start_ = buffers.download_vectors(buffers.displacement);
   const std::vector<Vector3d> velocity = buffers.download_vectors(buffers.velocity);
   end_ = start_;
@@ -97,15 +98,24 @@ void PairStage::limit(std::vector<float>& shares, std::vector<std::uint32_t>& le
   }
 }
 
-std::vector<Vector3d> PairStage::forces_on_bodies(std::size_t body_count) const {
-  std::vector<Vector3d> forces(body_count, Vector3d::Zero());
+std::vector<PairStage::Support> PairStage::supports(std::size_t body_count) const {
+  std::vector<Support> supports(body_count);
   for (const PairRow& pair : rows_) {
+    if (pair.before <= 0 || pair.bodies[0] == pair.bodies[1]) continue;
     const vec4& across = before_[force_row(pair.slot)];
     const Vector3d force = pair.before * pair.normal + Vector3d(across.x, across.y, across.z);
-    forces[pair.bodies[0]] += force;
-    forces[pair.bodies[1]] -= force;
+    for (const double side : {1.0, -1.0}) {
+      Support& support = supports[pair.bodies[side > 0 ? 0 : 1]];
+      support.force += side * force;
+      ++support.count;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t v = pair.vertices[k];
+        const Vector3d fall = (falls_[v] ? duration_ * duration_ : 0) * model_.gravity;
+        if (side * pair.weights[k] > 0) support.way += side * pair.weights[k] * (end_[v] - start_[v] - fall);
+      }
+    }
   }
-  return forces;
+  return supports;
 }
 
 }  // namespace fascia

@@ -30,8 +30,14 @@ class PairStage {
   /// Bodies that press each other, or meet, go together: `leaders` [body] gets the first body of each such group, whose
   /// share is that of all.
   void limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const;
-  /// [body] what other tissue did to it at the end of the stage before [N].
-  std::vector<Eigen::Vector3d> forces_on_bodies(std::size_t body_count) const;
+  /// What other tissue did to a body at the end of the stage before.
+  struct Support {
+    Eigen::Vector3d force{0, 0, 0};  // [N]
+    Eigen::Vector3d way{0, 0, 0};    // sum of those on which the velocities of its places that pressed lead [m]
+    std::uint32_t count = 0;         // of such places
+  };
+  std::vector<Support> supports(std::size_t body_count) const;  // [body]
+  double duration() const { return duration_; }                 // of the stage [s]
 
  private:
   template <class F>
@@ -41,7 +47,7 @@ class PairStage {
 
   const Model& model_;  // its materials may change
   PairSearch search_;
-  double search_ms_ = 0;
+  double search_ms_ = 0, duration_ = 0;
   std::vector<PairRow> rows_;
   std::vector<shared::vec4> before_;  // [row] that the step before left: of forces xyz friction, w the normal one [N]
   std::vector<char> falls_;           // [vertex] in unconstrained parts
