@@ -225,6 +225,10 @@ int run_input(const RunOptions& options) {
       stats.tool_loads = diagnostics->tool_loads;
       stats.pair_loads = diagnostics->pair_loads;
     }
+    if (const auto& contact = simulation.equilibrium_contact()) {
+      stats.tool_loads = contact->tools;
+      stats.pair_loads = contact->pairs;
+    }
     if (diagnostics && !options.static_equilibrium) {
       stats.residual = diagnostics->residual;
       double mass = 0;

@@ -168,7 +168,7 @@ ResolvedGrab resolve_grab(const Scene& scene, std::size_t index, const Model& mo
   const ScriptedGrab& grab = scene.grabs[index];
   const bool of_option = index + scene.option_grabs >= scene.grabs.size();
   const std::string where =
-      (of_option ? "--grab" : scene.file.string()) + ": grabs[" + std::to_string(index) + "]";
+      (of_option ? "option --grab" : scene.file.string()) + ": grabs[" + std::to_string(index) + "]";
   const double size = scene_radius(model);
   const auto* at = std::get_if<Vector3d>(&grab.where);
   const Place place = at ? place_at(grab, *at, model, where, size)

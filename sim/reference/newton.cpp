@@ -27,10 +27,11 @@ constexpr int last_patience = 400;  // if no smaller one can be tried
 // In statics, where nothing bounces: a stiffer penalty takes fewer passes over the multipliers.
 constexpr double static_penalty = 100;
 constexpr int most_passes = 60;
-constexpr double first_fall = 1e-2;     // [s]
-constexpr double steady_forces = 1e-9;  // change of the forces of contact in a pass, relative to the largest one
-constexpr double slow_forces = 1e-5;    // the same after the last pass, and where rounding is what changes them
-constexpr double farthest_fall = 1e4;   // sizes of the tissue: beyond it nothing lands or stops
+constexpr double first_fall = 1e-2;      // [s]
+constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
+constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
+constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
+constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
 
 VectorXd flat(const std::vector<Vector3d>& vectors) {
   return Eigen::Map<const VectorXd>(vectors.empty() ? nullptr : vectors[0].data(), 3 * vectors.size());
@@ -234,11 +235,12 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
                                        ContactMemory& memory, VectorXd& u) {
   const VectorXd start = potential.start, rest = flat(model.rest_positions);
   const double size = rest.maxCoeff() - rest.minCoeff();
-  double change = 0, largest = 0;  // [N]
+  const double weight = lands ? mass.cwiseProduct(gravity).lpNorm<Eigen::Infinity>() : 0;  // of a vertex
+  double change = 0, unsteady = 0, largest = 0;                                            // [N]
   VectorXd from = u, inertia = VectorXd::Zero(u.size());
-  const auto carried = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
+  const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
   for (int pass = 0; pass < most_passes && report.converged; ++pass) {
-    double unsteady = carried();
+    unsteady = borne();
     if (lands) {
       potential.target = from = u;
       potential.inertia = inertia = mass / std::pow(first_fall * std::pow(2.0, pass), 2);
@@ -246,12 +248,12 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     }
     if (lands && pass == 0) {
       report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
-      unsteady = carried();
+      unsteady = borne();
     }
     const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
     read_out(potential.contact, u);
     const double previous = std::exchange(change, unsteady);
-    largest = 0;
+    largest = weight;
     for (std::size_t row = 0; row < memory.size(); ++row) {
       if (row >= contact.row_count && (row - contact.row_count) % 5 == 4) continue;  // what pairs met
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
@@ -259,9 +261,9 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
           std::max({change, std::abs(memory[row].normal - old.normal), (memory[row].friction - old.friction).norm()});
       largest = std::max(largest, memory[row].normal);
     }
-    if (change <= steady_forces * largest && (largest > 0 || !lands)) return;
-    const bool slow = change <= slow_forces * largest && largest > 0;
-    if (slow && change > 0.5 * previous && change <= potential.contact->rounding(u)) return;
+    if (change <= steady_forces * largest) return;
+    if (change <= rounded_forces * largest && change > 0.5 * previous && change <= potential.contact->rounding(u))
+      return;
     if (lands && (u - start).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
     // Tissue that slides along tissue meets other faces.
     potential.contact = contact_from(pairs.empty() ? start : u, vectors_of(u), stiffness, motion, memory);
@@ -270,7 +272,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     report.relative_residual = pass_report.relative_residual;
     report.converged = pass_report.converged;
   }
-  if (!report.converged || (change <= slow_forces * largest && largest > 0)) return;
+  if (!report.converged || unsteady <= std::max(borne_at_rest, tolerance) * largest) return;
   report.rests = report.converged = false;
 }
 

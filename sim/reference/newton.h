@@ -63,8 +63,8 @@ struct NewtonReport {
   /// forces (reactions included) and, in a step, of the forces that would stop its motion.
   double relative_residual = 0;
   bool converged = false;  // to the tolerance, or to the rounding of the gradient where that is larger
-  /// Of a static solve: false if bodies without supports went on falling or sliding, or forces of contact changing. It
-  /// then has not converged, although each of its minimizations did.
+  /// Of a static solve: false if bodies without supports went on falling or sliding. It then has not converged,
+  /// although each of its minimizations did.
   bool rests = true;
 };
 

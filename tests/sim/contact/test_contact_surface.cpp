@@ -53,6 +53,9 @@ TEST_CASE("tools thinner than the finest points are told", "[contact]") {
 TEST_CASE("a skin that is thick beside the tissue is told, one thicker than a body refused", "[contact]") {
   const auto notes_with = [](double thickness, int cells = 3) {
     Model model = test::box_model(cells, cells, cells, {0.3, 0.3, 0.3}, test::soft(1e5));
+    BodyPart& body = model.bodies.emplace_back();
+    body.name = "body";
+    body.vertex_count = static_cast<std::uint32_t>(model.rest_positions.size());
     model.contact.thickness = thickness;
     model.tools = box_with(PlaneShape{{0, 0, 0}, {0, 1, 0}}).tools;
     return check_contact(model, "s.json");

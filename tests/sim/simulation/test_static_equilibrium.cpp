@@ -59,9 +59,8 @@ TEST_CASE("a search without an equilibrium says what is missing", "[static]") {
   CHECK(cube.error().empty());
   cube.scene.gravity.x() = 6;
   CHECK_THAT(cube.error(), Catch::StartsWith("cube.json: no static equilibrium after ") &&
-                               Catch::Contains(": bodies go on moving, or forces of contact go on changing; expected "
-                                               "contact and friction that hold what has no fixed vertices (vertex 0 "
-                                               "of cube)"));
+                               Catch::EndsWith("iterations: bodies without supports go on moving; expected contact and "
+                                               "friction that hold what has no fixed vertices (vertex 0 of cube)"));
   Simulation simulation(FreeCube().scene, nullptr, true);
   const auto error_of = [&](const StaticReport& report) -> std::string {
     try {
@@ -89,7 +88,8 @@ TEST_CASE("a report says where rounding ended a search", "[static]") {
 TEST_CASE("a scene with too many rigid pieces is refused whatever the solver", "[static]") {
   FreeCube cube;
   for (int i = 0; i < 40; ++i)
-    cube.scene.tools.obstacles.push_back({"ball " + std::to_string(i), SphereShape{{0, 0, 0}, 0.05}, {0, 1.0 + i, 0}});
+    cube.scene.tools.obstacles.push_back(
+        {"ball " + std::to_string(i), SphereShape{{0, 0, 0}, 0.05}, {0, 1.0 + i, 0}, {0, 0, 0}, std::nullopt});
   CHECK_THROWS_WITH(Simulation(cube.scene, nullptr, true),
                     Catch::StartsWith("cube.json: contact: has 41 rigid pieces; expected at most 32"));
 }
