@@ -219,15 +219,12 @@ int run_input(const RunOptions& options) {
   int inverted = 0;
   if (GpuSolver* gpu = simulation.gpu()) {
     gpu->request_diagnostics();
-    const auto diagnostics = gpu->take_diagnostics(true);
+    auto diagnostics = gpu->take_diagnostics(true);
+    simulation.correct_contact(diagnostics);
     if (diagnostics) {
       inverted = diagnostics->inverted;
       stats.tool_loads = diagnostics->tool_loads;
       stats.pair_loads = diagnostics->pair_loads;
-    }
-    if (const auto& contact = simulation.equilibrium_contact()) {
-      stats.tool_loads = contact->tools;
-      stats.pair_loads = contact->pairs;
     }
     if (diagnostics && !options.static_equilibrium) {
       stats.residual = diagnostics->residual;

@@ -129,6 +129,12 @@ void Simulation::leave_equilibrium() {
   equilibrium_contact_.reset();
 }
 
+void Simulation::correct_contact(std::optional<Diagnostics>& of_gpu) const {
+  if (!equilibrium_contact_ || !of_gpu) return;
+  of_gpu->tool_loads = equilibrium_contact_->tools;
+  of_gpu->pair_loads = equilibrium_contact_->pairs;
+}
+
 std::vector<Eigen::Vector3d> Simulation::contact_forces() const {
   if (reference_) return reference_->contact_forces();
   return equilibrium_contact_ ? equilibrium_contact_->vertices : gpu_->contact_forces();

@@ -130,7 +130,8 @@ class Simulation {
     std::vector<PairLoad> pairs;
     std::vector<Eigen::Vector3d> vertices;  // [vertex] of the tools on the tissue [N]
   };
-  const std::optional<ContactLoads>& equilibrium_contact() const { return equilibrium_contact_; }
+  /// Puts them in the place of those of the state that was read back.
+  void correct_contact(std::optional<Diagnostics>& of_gpu) const;
   /// [vertex] forces of the tools on the tissue at the end of the last step [N]; waits for the GPU.
   std::vector<Eigen::Vector3d> contact_forces() const;
 
