@@ -219,7 +219,8 @@ int run_input(const RunOptions& options) {
   int inverted = 0;
   if (GpuSolver* gpu = simulation.gpu()) {
     gpu->request_diagnostics();
-    const auto diagnostics = gpu->take_diagnostics(true);
+    auto diagnostics = gpu->take_diagnostics(true);
+    simulation.correct_contact(diagnostics);
     if (diagnostics) {
       inverted = diagnostics->inverted;
       stats.tool_loads = diagnostics->tool_loads;

@@ -203,7 +203,9 @@ Margins Headless::margins(bool legend) {
 std::optional<Diagnostics> Headless::diagnose() {
   GpuSolver& solver = *session_.simulation.gpu();
   solver.request_diagnostics();
-  return solver.take_diagnostics(true);
+  std::optional<Diagnostics> diagnostics = solver.take_diagnostics(true);
+  session_.simulation.correct_contact(diagnostics);
+  return diagnostics;
 }
 
 std::optional<Diagnostics> Headless::diagnose_grabs() {

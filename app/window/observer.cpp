@@ -34,8 +34,9 @@ void Observer::read() {
     solver.request_diagnostics();
     asked_ = {asked_[1], Moment{solver.time(), s.steps}};
   }
-  const std::optional<Diagnostics> d = solver.take_diagnostics(false);
+  std::optional<Diagnostics> d = solver.take_diagnostics(false);
   if (!d) return;
+  stage_.simulation().correct_contact(d);
   open_ = d;
   if (!sides_.grab_in_b()) stage_.mouse.grabs().observe(d->grab_forces);
   residual_ = d->residual;
@@ -48,7 +49,8 @@ void Observer::read() {
 void Observer::finish() {
   GpuSolver& solver = *stage_.simulation().gpu();
   if (stage_.diagnose) solver.request_diagnostics();
-  if (const auto last = solver.take_diagnostics(true)) {
+  if (auto last = solver.take_diagnostics(true)) {
+    stage_.simulation().correct_contact(last);
     open_ = last;
     residual_ = last->residual;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/tool/shape_distance.h"
 #include "sim/tool/tool_entry.h"
@@ -93,8 +94,12 @@ void ContactEnergy::for_rows(F&& f) const {
       f(surface_.pieces[i], pieces_[i], p, rows_[surface_.pieces[i].first_row + p]);
 }
 
-double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
-  double energy = pairs_.evaluate(u, gradient);
+double ContactEnergy::reach_of(const Contact& contact, const Piece& placed) {
+  return std::max(contact.x.cwiseAbs().maxCoeff(), placed.pose.origin.cwiseAbs().maxCoeff());
+}
+
+double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* magnitude) const {
+  double energy = pairs_.evaluate(u, gradient, magnitude);
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
     const double bound = placed.friction * row.pressing;
@@ -105,11 +110,22 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
       energy += sticking_energy(contact.tangential, bound, row.stiffness);
       force += within(contact.tangential, bound);
     }
+    if (magnitude) *magnitude += force.norm() * reach_of(contact, placed);
     const ContactPoint& point = surface_.points[p];
     for (std::size_t k = 0; k < 3; ++k)
       gradient.segment<3>(3 * static_cast<Eigen::Index>(point.vertices[k])) -= point.weights[k] * force;
   });
   return energy;
+}
+
+double ContactEnergy::rounding(const VectorXd& u) const {
+  double largest = pairs_.rounding(u);
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
+    const Contact contact = contact_of(piece, p, u);
+    if (contact.pressing > 0)
+      largest = std::max(largest, std::numeric_limits<double>::epsilon() * row.stiffness * reach_of(contact, placed));
+  });
+  return largest;
 }
 
 std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefinite) const {
@@ -127,7 +143,7 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
     }
     if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.stiffness, row.normal);
     const ContactPoint& point = surface_.points[p];
-    const double reach = std::max(contact.x.cwiseAbs().maxCoeff(), placed.pose.origin.cwiseAbs().maxCoeff());
+    const double reach = reach_of(contact, placed);
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b)
         if (const double weight = point.weights[a] * point.weights[b]; weight > 0)

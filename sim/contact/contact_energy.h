@@ -35,8 +35,11 @@ class ContactEnergy {
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
                 std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {});
 
-  /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count].
-  double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) const;
+  /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count], and to `magnitude` what
+  /// times the machine epsilon bounds its rounding [J]: forces times the coordinates that they are computed from.
+  double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient, double* magnitude = nullptr) const;
+  /// Bound on the rounding of the force of any row that presses at `u` [N].
+  double rounding(const Eigen::VectorXd& u) const;
   /// The Hessian as a sum of blocks. `semidefinite`: without the curvature of the tools' surfaces. Those of tools are
   /// between vertices of one face, those of pairs() between any.
   std::vector<ContactBlock> blocks(const Eigen::VectorXd& u, bool semidefinite) const;
@@ -67,6 +70,8 @@ class ContactEnergy {
     double pressing, depth;                 // N, and -d
   };
   Contact contact_of(const ContactPiece& piece, std::size_t p, const Eigen::VectorXd& u) const;
+  /// [m] largest coordinate that the force is computed from
+  static double reach_of(const Contact& contact, const Piece& placed);
   Eigen::Vector3d position(const ContactPoint& point, const Eigen::VectorXd& u) const;
   Eigen::Vector3d position(const ContactPoint& point, const std::vector<Eigen::Vector3d>& u) const;
   template <class F>

@@ -1,8 +1,10 @@
 #include "sim/contact/contact_surface.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
 
+#include "base/error.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
@@ -73,7 +75,90 @@ std::string note_on(const Tool& tool, double spacing, double radius) {
   return tool.name + text;
 }
 
+std::string meters(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g m", length);
+  return text;
+}
+
+/// [body] the mean edge of its surface [m]; 0 without one.
+std::vector<double> mean_edges(const Model& model) {
+  std::vector<double> sum(model.bodies.size(), 0), count(model.bodies.size(), 0);
+  const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
+  for (const Triangle& t : tissue_boundary(model))
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[bodies[t[k]]] += (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm();
+      ++count[bodies[t[k]]];
+    }
+  for (std::size_t b = 0; b < sum.size(); ++b) sum[b] /= std::max(count[b], 1.0);
+  return sum;
+}
+
+void check_thickness(const Model& model, const std::string& where, std::vector<std::string>& notes) {
+  const double thickness = model.contact.thickness;
+  if (thickness == 0 || model.bodies.empty()) return;
+  const std::vector<double> edges = mean_edges(model);
+  for (std::size_t b = 0; b < edges.size(); ++b) {
+    const BodyPart& body = model.bodies[b];
+    Eigen::AlignedBox3d box;
+    for (std::uint32_t v = 0; v < body.vertex_count; ++v) box.extend(model.rest_positions[body.vertex_begin + v]);
+    if (box.isEmpty()) continue;
+    if (const double largest = box.sizes().maxCoeff(); thickness > largest)
+      throw Error(where + ": contact.thickness",
+                  "is " + meters(thickness) + ", more than the largest side of " + body.name + ", " + meters(largest),
+                  "expected less than its elements, " + meters(edges[b]));
+    const double half = 0.5 * box.sizes().minCoeff();
+    if (thickness > half)
+      notes.push_back("contact.thickness of " + meters(thickness) + " is more than half of the smallest side of " +
+                      body.name + ", " + meters(half) + ": contact may crush it");
+    else if (thickness > edges[b])
+      notes.push_back("contact.thickness of " + meters(thickness) + " is more than the elements of " + body.name +
+                      ", " + meters(edges[b]) + ": contact may crush them");
+  }
+}
+
+bool is_in(const Tet& tet, const std::vector<Vector3d>& x, const Vector3d& point) {
+  const double whole = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]);
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::array<Vector3d, 4> corners = {x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]};
+    corners[k] = point;
+    if (signed_volume6(corners[0], corners[1], corners[2], corners[3]) * whole < 0) return false;
+  }
+  return true;
+}
+
+/// Whether a piece is inside of the tissue as the scene begins, and so deep that no contact point touches it.
+bool begins_inside(const Model& model, const ContactSurface& surface, const ContactPiece& piece) {
+  const Tool& tool = model.tools[piece.tool];
+  if (std::holds_alternative<PlaneShape>(tool.shape)) return false;
+  const RigidPose pose = tool.pose_of_piece(piece.piece, tool.place(0));
+  const std::vector<Vector3d>& x = model.rest_positions;
+  const Vector3d middle = pose.to_scene(middle_of(tool.shape));
+  const auto holds = [&](const Tet& tet) { return is_in(tet, x, middle); };
+  if (std::none_of(model.tets.begin(), model.tets.end(), holds)) return false;
+  return std::none_of(surface.points.begin(), surface.points.begin() + piece.points, [&](const ContactPoint& point) {
+    Vector3d place(0, 0, 0);
+    for (std::size_t k = 0; k < 3; ++k) place += point.weights[k] * x[point.vertices[k]];
+    return distance_to(tool.shape, pose.to_local(place)).distance <= 0.5 * model.contact.thickness;
+  });
+}
+
 }  // namespace
+
+std::vector<std::string> check_contact(const Model& model, const std::string& where) {
+  const ContactSurface surface = make_contact_surface(model);
+  if (surface.pieces.size() > ContactSurface::kMostPieces)
+    throw Error(where + ": contact", "has " + std::to_string(surface.pieces.size()) + " rigid pieces",
+                "expected at most " + std::to_string(ContactSurface::kMostPieces) +
+                    ": ground, obstacles, instruments, jaws as two");
+  std::vector<std::string> notes = surface.notes;
+  check_thickness(model, where, notes);
+  for (const ContactPiece& piece : surface.pieces)
+    if (piece.piece == 0 && begins_inside(model, surface, piece))
+      notes.push_back(model.tools[piece.tool].name +
+                      ": begins wholly inside tissue, and touches nothing until the surface reaches it");
+  return notes;
+}
 
 ContactSurface make_contact_surface(const Model& model) {
   ContactSurface surface;

@@ -32,6 +32,7 @@ struct ContactPiece {
 
 struct ContactSurface {
   static constexpr int kFinestLevel = 3;
+  static constexpr std::size_t kMostPieces = 32;  // that the GPU tells apart
 
   std::vector<ContactPoint> points;  // level by level; none where all corners are held
   std::vector<ContactPiece> pieces;
@@ -47,6 +48,11 @@ inline constexpr double kContactPenalty = 10;
 
 /// Without points if the model has no tools.
 ContactSurface make_contact_surface(const Model& model);
+
+/// What is likely a mistake in a scene's contact, one line each: tools that are too thin for the surface or begin
+/// wholly inside tissue, and a skin that is thicker than what it covers. Throws Error, which names `where`, for a skin
+/// thicker than a whole body, and for more than kMostPieces pieces.
+std::vector<std::string> check_contact(const Model& model, const std::string& where);
 
 /// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the
 /// vertices (l: the height of a cell), s = 10 times the factor of the scene. At level L a 4^L-th.

@@ -1,6 +1,8 @@
 #include "sim/contact/pair_energy.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace fascia {
 
@@ -37,7 +39,7 @@ Vector3d PairEnergy::force_of(std::size_t i, const Contact& contact) const {
   return contact.pressing * rows_[i].normal + within(contact.tangential, friction_ * before_[i].normal);
 }
 
-double PairEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
+double PairEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* magnitude) const {
   double energy = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Contact contact = contact_of(i, u);
@@ -46,10 +48,29 @@ double PairEnergy::evaluate(const VectorXd& u, VectorXd& gradient) const {
     energy += 0.5 * (contact.pressing - before) * (contact.pressing + before) / rows_[i].stiffness;
     if (bound > 0) energy += sticking_energy(contact.tangential, bound, rows_[i].stiffness);
     const Vector3d force = force_of(i, contact);
-    for (std::size_t k = 0; k < 4; ++k)
-      gradient.segment<3>(3 * static_cast<Eigen::Index>(rows_[i].vertices[k])) -= rows_[i].weights[k] * force;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(rows_[i].vertices[k]);
+      gradient.segment<3>(at) -= rows_[i].weights[k] * force;
+      if (magnitude) *magnitude += std::abs(rows_[i].weights[k]) * force.norm() * u.segment<3>(at).norm();
+    }
   }
   return energy;
+}
+
+double PairEnergy::reach_of(const PairRow& row, const VectorXd& u) const {
+  double reach = 0;
+  for (const std::uint32_t v : row.vertices)
+    reach = std::max(reach,
+                     (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v))).cwiseAbs().maxCoeff());
+  return reach;
+}
+
+double PairEnergy::rounding(const VectorXd& u) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (contact_of(i, u).pressing > 0)
+      largest = std::max(largest, std::numeric_limits<double>::epsilon() * rows_[i].stiffness * reach_of(rows_[i], u));
+  return largest;
 }
 
 std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
@@ -63,10 +84,7 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
     Matrix3d hessian = Matrix3d::Zero();
     if (touches) hessian += row.stiffness * row.normal * row.normal.transpose();
     if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.stiffness, row.normal);
-    double reach = 0;
-    for (const std::uint32_t v : row.vertices)
-      reach = std::max(
-          reach, (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v))).cwiseAbs().maxCoeff());
+    const double reach = reach_of(row, u);
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = 0; b < 4; ++b)
         if (const double weight = row.weights[a] * row.weights[b]; weight != 0)

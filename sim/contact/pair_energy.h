@@ -25,7 +25,9 @@ class PairEnergy {
   /// `memory`: of all contact; that of pairs from `first_row` on. Shorter: no forces.
   PairEnergy(const Model& model, std::vector<PairRow> rows, const ContactMemory& memory, std::uint32_t first_row);
 
-  double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient) const;
+  /// As ContactEnergy::evaluate().
+  double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient, double* magnitude = nullptr) const;
+  double rounding(const Eigen::VectorXd& u) const;                   // as that of ContactEnergy
   std::vector<ContactBlock> blocks(const Eigen::VectorXd& u) const;  // of the Hessian, which is semidefinite
   bool empty() const { return rows_.empty(); }
   void remember(const Eigen::VectorXd& u, ContactMemory& memory) const;
@@ -37,6 +39,7 @@ class PairEnergy {
     Eigen::Vector3d tangential;  // q
   };
   Contact contact_of(std::size_t row, const Eigen::VectorXd& u) const;
+  double reach_of(const PairRow& row, const Eigen::VectorXd& u) const;      // [m] largest coordinate
   Eigen::Vector3d force_of(std::size_t row, const Contact& contact) const;  // on the side of the normal
 
   const Model& model_;

@@ -9,9 +9,9 @@ namespace {
 
 Model with_grabs(const Scene& scene, Model model) {
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.grabs.push_back(resolve_grab(scene, g, model));
-  if (!model.tools.empty())
-    for (std::string& note : make_contact_surface(model).notes) model.notes.push_back(std::move(note));
-  else if (std::string note = note_of_unconstrained_parts(model); !note.empty())
+  if (model.has_contact())
+    for (std::string& note : check_contact(model, scene.file.string())) model.notes.push_back(std::move(note));
+  if (std::string note = model.tools.empty() ? note_of_unconstrained_parts(model) : ""; !note.empty())
     model.notes.push_back(std::move(note));
   return model;
 }

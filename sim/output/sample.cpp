@@ -118,7 +118,9 @@ Sample sample_now(Simulation& simulation, std::uint32_t probe) {
   } else {
     simulation.gpu()->set_probe(probe);
     simulation.gpu()->request_diagnostics();
-    s = sample_of(*simulation.gpu()->take_diagnostics(true));
+    std::optional<Diagnostics> diagnostics = simulation.gpu()->take_diagnostics(true);
+    simulation.correct_contact(diagnostics);
+    s = sample_of(*diagnostics);
     if (std::isnan(s.iterations)) s.iterations = simulation.iterations_granted();
   }
   if (!simulation.model.motions.empty()) s.supports = reference::support_forces(simulation.model, simulation.state());

@@ -24,7 +24,8 @@ Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd&
   Value value;
   VectorXd internal;
   value.energy = system_.evaluate(u, potential.viscous, internal);
-  value.magnitude = std::abs(value.energy);
+  // A body that has moved as a whole has displacements with larger roundings than its energy.
+  value.magnitude = std::abs(value.energy) + internal.cwiseAbs().dot(u.cwiseAbs());
   VectorXd applied = VectorXd::Zero(u.size()), motion = VectorXd::Zero(u.size()), gradient = internal;
   for (std::size_t v = 0; v < system_.first_dof().size(); ++v) {
     if (system_.first_dof()[v] < 0) continue;
@@ -41,7 +42,7 @@ Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd&
   double contact = 0;  // [N]
   if (potential.contact) {
     VectorXd forces = VectorXd::Zero(u.size());
-    const double energy = potential.contact->evaluate(u, forces);
+    const double energy = potential.contact->evaluate(u, forces, &value.magnitude);
     value.energy += energy;
     value.magnitude += std::abs(energy);
     gradient += forces;

@@ -19,7 +19,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double step_tolerance = 1e-12;
-constexpr double static_tolerance = 1e-10;
 constexpr double increment_tolerance = 1e-6;  // of intermediate equilibria, which only start the next increment
 constexpr double smallest_increment = 1.0 / 128;
 constexpr int patience = 40;        // Newton iterations after which a smaller increment is tried
@@ -28,8 +27,11 @@ constexpr int last_patience = 400;  // if no smaller one can be tried
 // In statics, where nothing bounces: a stiffer penalty takes fewer passes over the multipliers.
 constexpr double static_penalty = 100;
 constexpr int most_passes = 60;
-constexpr double first_fall = 1e-2;     // [s]
-constexpr double steady_forces = 1e-9;  // change of the forces of contact in a pass, relative to the largest one
+constexpr double first_fall = 1e-2;      // [s]
+constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
+constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
+constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
+constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
 
 VectorXd flat(const std::vector<Vector3d>& vectors) {
   return Eigen::Map<const VectorXd>(vectors.empty() ? nullptr : vectors[0].data(), 3 * vectors.size());
@@ -115,14 +117,15 @@ struct NewtonSolver::Impl {
   NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential, bool divisible,
                       double tolerance, VectorXd& u);
 
-  /// Repeats the update of the multipliers in `memory` from the equilibrium `u` until the forces stay. A body that only
-  /// contact supports `lands` first: it falls without speed, for longer in every pass, so that its inertia vanishes.
+  /// Repeats the update of the multipliers in `memory` from the equilibrium `u` until the forces stay, or change by no
+  /// more than rounding. A body that only contact supports `lands` first: it falls without speed, for longer in every
+  /// pass, so that its inertia vanishes.
   void settle_forces(Potential potential, const std::vector<double>& stiffness, const ToolMotion& motion, bool lands,
                      double tolerance, NewtonReport& report, ContactMemory& memory, VectorXd& u);
 
   const Model& model;
   const SolverSettings settings;
-  const std::stop_token stop;
+  std::stop_token stop;
   std::vector<GrabSpring> springs;
   const ElasticSystem system;
   Minimizer minimizer;
@@ -230,16 +233,27 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
 void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<double>& stiffness,
                                        const ToolMotion& motion, bool lands, double tolerance, NewtonReport& report,
                                        ContactMemory& memory, VectorXd& u) {
-  const VectorXd start = potential.start;
+  const VectorXd start = potential.start, rest = flat(model.rest_positions);
+  const double size = rest.maxCoeff() - rest.minCoeff();
+  const double weight = lands ? mass.cwiseProduct(gravity).lpNorm<Eigen::Infinity>() : 0;  // of a vertex
+  double change = 0, unsteady = 0, largest = 0;                                            // [N]
+  VectorXd from = u, inertia = VectorXd::Zero(u.size());
+  const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
   for (int pass = 0; pass < most_passes && report.converged; ++pass) {
+    unsteady = borne();
     if (lands) {
-      potential.target = u;
-      potential.inertia = mass / std::pow(first_fall * std::pow(2.0, pass), 2);
+      potential.target = from = u;
+      potential.inertia = inertia = mass / std::pow(first_fall * std::pow(2.0, pass), 2);
+      for (const GrabSpring& spring : springs) add(spring, potential);
     }
-    if (lands && pass == 0) report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
+    if (lands && pass == 0) {
+      report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
+      unsteady = borne();
+    }
     const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
     read_out(potential.contact, u);
-    double change = 0, largest = 0;
+    const double previous = std::exchange(change, unsteady);
+    largest = weight;
     for (std::size_t row = 0; row < memory.size(); ++row) {
       if (row >= contact.row_count && (row - contact.row_count) % 5 == 4) continue;  // what pairs met
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
@@ -247,7 +261,10 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
           std::max({change, std::abs(memory[row].normal - old.normal), (memory[row].friction - old.friction).norm()});
       largest = std::max(largest, memory[row].normal);
     }
-    if (change <= steady_forces * largest && largest > 0) return;
+    if (change <= steady_forces * largest) return;
+    if (change <= rounded_forces * largest && change > 0.5 * previous && change <= potential.contact->rounding(u))
+      return;
+    if (lands && (u - start).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
     // Tissue that slides along tissue meets other faces.
     potential.contact = contact_from(pairs.empty() ? start : u, vectors_of(u), stiffness, motion, memory);
     const NewtonReport pass_report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
@@ -255,6 +272,8 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     report.relative_residual = pass_report.relative_residual;
     report.converged = pass_report.converged;
   }
+  if (!report.converged || unsteady <= std::max(borne_at_rest, tolerance) * largest) return;
+  report.rests = report.converged = false;
 }
 
 NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, std::optional<double> until) {
@@ -282,7 +301,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
     }
     return result;
   };
-  if (tolerance <= 0) tolerance = static_tolerance;
+  if (tolerance <= 0) tolerance = NewtonSolver::kStaticTolerance;
   const bool supported = !touches() || unconstrained_parts(model, model.held()).parts == 0;
   NewtonReport report;
   report.converged = true;
@@ -324,6 +343,8 @@ NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) {
 }
 
 void NewtonSolver::set_tools(const std::optional<ToolMotion>& motion) { impl_->tools = motion; }
+
+void NewtonSolver::set_stop(std::stop_token stop) { impl_->stop = std::move(stop); }
 
 const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
 const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->pair_loads; }

@@ -63,6 +63,9 @@ struct NewtonReport {
   /// forces (reactions included) and, in a step, of the forces that would stop its motion.
   double relative_residual = 0;
   bool converged = false;  // to the tolerance, or to the rounding of the gradient where that is larger
+  /// Of a static solve: false if bodies without supports went on falling or sliding. It then has not converged,
+  /// although each of its minimizations did.
+  bool rests = true;
 };
 
 /// Keeps a reference to the model, which must not change.
@@ -70,6 +73,7 @@ class NewtonSolver {
  public:
   /// Largest mesh for which a desktop has the time and the memory for a factor. An estimate, not enforced here.
   static constexpr std::size_t kMostTets = 200'000;
+  static constexpr double kStaticTolerance = 1e-10;  // of the relative residual of statics, by default
 
   /// A solve ends unconverged soon after `stop` is requested.
   NewtonSolver(const Model& model, const SolverSettings& settings, std::stop_token stop = {});
@@ -84,14 +88,16 @@ class NewtonSolver {
   /// Sets the motion of the tools in the steps and solves that follow, each of which begins and ends with it. None, as
   /// initially: they follow their paths.
   void set_tools(const std::optional<ToolMotion>& motion);
+  /// Replaces the token of the constructor.
+  void set_stop(std::stop_token stop);
   /// [tool] at the end of the last step or solve.
   const std::vector<ToolLoad>& tool_loads() const;
   const std::vector<PairLoad>& pair_loads() const;  // of tissue on tissue, in the same step
   /// [vertex] the same forces on the tissue, at its vertices [N]; zero before the first step or without tools.
   std::vector<Eigen::Vector3d> contact_forces() const;
   /// Static equilibrium from `state` (its velocity is set to zero, its time to `until`, where motions and tools then
-  /// are; without it to the end of all motions). `tolerance` 0 means 1e-10. Throws Error if gravity acts on an
-  /// unconstrained component and there is no tool to support it.
+  /// are; without it to the end of all motions). `tolerance` 0 means kStaticTolerance. Throws Error if gravity acts on
+  /// an unconstrained component and there is no tool to support it.
   NewtonReport solve_static(State& state, double tolerance = 0, std::optional<double> until = std::nullopt);
 
  private:

@@ -8,8 +8,8 @@ namespace fascia {
 
 /// The same as an element of the scene's "grabs", which the strict reader then checks. Keys are those of the scene
 /// file; numbers with commas are lists, the keys of a path are separated by /: "path=0,0,0,0/0.5,0,0.1,0", and a value
-/// that starts like JSON is JSON: select={"group":"tip"}. Throws Error for a part that is not KEY=VALUE, a repeated key
-/// and invalid JSON.
+/// that starts like JSON is JSON: select={"group":"tip"}. Throws Error for a part that is not KEY=VALUE, a repeated
+/// key, invalid JSON, an empty `body`, and a `duration` or `smooth` without a motion.
 nlohmann::json grab_document(std::string_view text);
 
 }  // namespace fascia

@@ -27,7 +27,7 @@ Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bo
 }
 
 void Simulation::step() {
-  if (!asleep_) equilibrium_.reset();
+  if (!asleep_) leave_equilibrium();
   repeat_inputs();
   simulated_ += scene.solver.time_step;
   make_step();
@@ -124,8 +124,24 @@ void Simulation::renew_reference() {
   reference_->set_springs(springs_);
 }
 
-void Simulation::back_to_valid() {
+void Simulation::leave_equilibrium() {
   equilibrium_.reset();
+  equilibrium_contact_.reset();
+}
+
+void Simulation::correct_contact(std::optional<Diagnostics>& of_gpu) const {
+  if (!equilibrium_contact_ || !of_gpu) return;
+  of_gpu->tool_loads = equilibrium_contact_->tools;
+  of_gpu->pair_loads = equilibrium_contact_->pairs;
+}
+
+std::vector<Eigen::Vector3d> Simulation::contact_forces() const {
+  if (reference_) return reference_->contact_forces();
+  return equilibrium_contact_ ? equilibrium_contact_->vertices : gpu_->contact_forces();
+}
+
+void Simulation::back_to_valid() {
+  leave_equilibrium();
   gpu_->restore_valid(false);
   valid_state_ = gpu_->download();
   valid_state_.led = led_.tools();
@@ -180,7 +196,7 @@ void Simulation::go_on_from(const State& state) {
   if (state.displacement.size() != model.rest_positions.size())
     throw Error(scene.file.string(), "start has " + std::to_string(state.displacement.size()) + " vertices",
                 "expected the mesh's " + std::to_string(model.rest_positions.size()));
-  equilibrium_.reset();
+  leave_equilibrium();
   if (reference_) reference_state_ = state;
   if (gpu_) gpu_->upload(state);
   led_.restart(state.led);

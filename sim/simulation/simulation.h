@@ -123,10 +123,17 @@ class Simulation {
   /// [tool of the model] of the reference solver at the end of its last step; the GPU's are in its Diagnostics.
   const std::vector<ToolLoad>& newton_tool_loads() const { return reference_->tool_loads(); }
   const std::vector<PairLoad>& newton_pair_loads() const { return reference_->pair_loads(); }  // of tissue on tissue
+  /// Forces of contact in a static equilibrium that was found for the GPU in double precision, until the next step:
+  /// there, the GPU's own are those of a step from it, whose error is large beside the weight of stiff bodies.
+  struct ContactLoads {
+    std::vector<ToolLoad> tools;
+    std::vector<PairLoad> pairs;
+    std::vector<Eigen::Vector3d> vertices;  // [vertex] of the tools on the tissue [N]
+  };
+  /// Puts them in the place of those of the state that was read back.
+  void correct_contact(std::optional<Diagnostics>& of_gpu) const;
   /// [vertex] forces of the tools on the tissue at the end of the last step [N]; waits for the GPU.
-  std::vector<Eigen::Vector3d> contact_forces() const {
-    return reference_ ? reference_->contact_forces() : gpu_->contact_forces();
-  }
+  std::vector<Eigen::Vector3d> contact_forces() const;
 
  private:
   void make_step();
@@ -152,12 +159,14 @@ class Simulation {
   void give_motion();  // of led tools, to the solver
   void pull(std::vector<GrabSpring> springs);
   void renew_reference();
+  void leave_equilibrium();
   Tuning tuning() const;
 
   gl::ProgramCache* programs_;
   std::unique_ptr<GpuSolver> gpu_;
   std::optional<State>
       equilibrium_;  // of solve_static() on the GPU, with more digits than float32 holds; until the next step
+  std::optional<ContactLoads> equilibrium_contact_;
   double ms_per_iteration_ = 0;  // of the GPU, a running mean over steps; 0: not measured
   std::unique_ptr<reference::NewtonSolver> reference_;
   State reference_state_;

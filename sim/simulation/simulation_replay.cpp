@@ -137,7 +137,7 @@ void Simulation::reset() {
 }
 
 void Simulation::go_back_to(bool rest) {
-  equilibrium_.reset();
+  leave_equilibrium();
   const State start = rest || !start_ ? initial_state(model) : *start_;
   if (reference_) reference_state_ = start;
   if (gpu_) gpu_->upload(start);

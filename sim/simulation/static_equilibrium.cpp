@@ -8,23 +8,53 @@
 
 #include "base/error.h"
 #include "sim/gpu/static_march.h"
+#include "sim/model/unconstrained_parts.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {
+namespace {
+
+StaticReport report_of(const reference::NewtonReport& newton, double tolerance) {
+  return {0,
+          newton.iterations,
+          newton.relative_residual,
+          newton.converged,
+          tolerance > 0 ? tolerance : reference::NewtonSolver::kStaticTolerance,
+          newton.rests};
+}
+
+/// What a search that found no equilibrium would need.
+std::string missing_in(const Simulation& simulation, const StaticReport& report) {
+  const UnconstrainedParts free = unconstrained_parts(simulation.model, simulation.model.held());
+  constexpr double kNearly = 1e-4;  // relative residual of a state that is one in all but its last digits
+  if (!report.rests)
+    return "contact and friction that hold what has no fixed vertices (" + vertex_name(simulation.model, free.first) +
+           ")";
+  if (report.relative_residual <= kNearly) {
+    std::ostringstream tolerance;
+    tolerance << std::pow(10.0, std::ceil(std::log10(report.relative_residual)));
+    return "a tolerance within reach, such as --set solver.tolerance=" + tolerance.str();
+  }
+  return free.parts > 0 && !simulation.model.has_contact() ? "a constrained body and a load that it can carry"
+                                                           : "a load that supports and contact can carry";
+}
+
+}  // namespace
 
 StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop,
                                       std::optional<double> until) {
   pull(until ? with_grabs(other_springs_, model.grabs, *until) : with_grabs_at_last(other_springs_, model.grabs));
-  const auto by_newton = [&](State& state, double tolerance) {
-    reference::NewtonSolver solver(model, scene.solver, stop);
+  const auto by_newton = [&](reference::NewtonSolver& solver, State& state, double tolerance) {
     solver.set_springs(springs_);
     if (!led_.empty()) solver.set_tools(led_.motion(model.tools, time(), std::max(time(), model.end_of_tools())));
     return solver.solve_static(state, tolerance, until);
   };
-  if (reference_) {
-    newton_report_ = by_newton(reference_state_, scene.solver.tolerance);
+  if (reference_) {  // which then has the forces of contact
+    reference_->set_stop(stop);
+    newton_report_ = by_newton(*reference_, reference_state_, scene.solver.tolerance);
+    reference_->set_stop({});
     if (gpu_) gpu_->upload(reference_state_);
-    return {0, newton_report_.iterations, newton_report_.relative_residual, newton_report_.converged};
+    return report_of(newton_report_, scene.solver.tolerance);
   }
   if (model.has_contact()) {  // the march has no multipliers to repeat
     if (model.tets.size() > reference::NewtonSolver::kMostTets)
@@ -32,9 +62,13 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
                   "expected at most " + std::to_string(reference::NewtonSolver::kMostTets) +
                       " for a static equilibrium in contact");
     State exact = gpu_->download();
-    const reference::NewtonReport newton = by_newton(exact, scene.solver.tolerance);
-    if (newton.converged) gpu_->settle(exact);
-    return {0, newton.iterations, newton.relative_residual, newton.converged};
+    reference::NewtonSolver solver(model, scene.solver, stop);
+    const reference::NewtonReport newton = by_newton(solver, exact, scene.solver.tolerance);
+    if (newton.converged) {
+      gpu_->settle(exact);
+      equilibrium_contact_ = {solver.tool_loads(), solver.pair_loads(), solver.contact_forces()};
+    }
+    return report_of(newton, scene.solver.tolerance);
   }
   const double tolerance = scene.solver.tolerance > 0 ? scene.solver.tolerance : 1e-5;
   equilibrium_.emplace();
@@ -53,7 +87,8 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   if (stop.stop_requested() || !(refines || rescues)) return report;
   if (news) news({march.iterations, 1, march.relative_residual, false, tolerance});
   State exact = *equilibrium_;
-  const reference::NewtonReport newton = by_newton(exact, refines ? 0 : tolerance);
+  reference::NewtonSolver solver(model, scene.solver, stop);
+  const reference::NewtonReport newton = by_newton(solver, exact, refines ? 0 : tolerance);
   report.newton_iterations = newton.iterations;
   if (!newton.converged) return report;
   report.relative_residual = newton.relative_residual;
@@ -69,8 +104,13 @@ std::string describe(const StaticReport& report) {
   if (report.iterations > 0) text << report.iterations << (report.newton_iterations > 0 ? " and " : " ");
   if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
   if (report.iterations + report.newton_iterations == 0) text << "no ";
-  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations") << ", relative residual "
-       << report.relative_residual;
+  text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations");
+  if (report.rests)
+    text << ", relative residual " << report.relative_residual;
+  else
+    text << ": bodies without supports go on moving";
+  if (report.converged && report.tolerance > 0 && report.relative_residual > report.tolerance)
+    text << ", the rounding of double precision";
   return text.str();
 }
 
@@ -106,8 +146,7 @@ void require_equilibrium(const Simulation& simulation, const StaticReport& repor
   constexpr double kFloat32 = 1e-3;  // rounding in soft slender bodies, with a margin
   const bool only_march = simulation.model.tets.size() > reference::NewtonSolver::kMostTets;
   if (report.converged || (only_march && report.relative_residual <= kFloat32)) return;
-  throw Error(simulation.scene.file.string(), describe(report),
-              "expected a constrained body and a load that it can carry");
+  throw Error(simulation.scene.file.string(), describe(report), "expected " + missing_in(simulation, report));
 }
 
 }  // namespace fascia

@@ -14,9 +14,11 @@ struct StaticReport {
   double relative_residual = 0;               // reference::NewtonReport
   bool converged = false;                     // to the tolerance
   double tolerance = 0;                       // of relative_residual
+  bool rests = true;                          // reference::NewtonReport
 };
 
-/// "static equilibrium after 12 Newton iterations, relative residual 1e-11"
+/// "static equilibrium after 12 Newton iterations, relative residual 1e-11"; says where rounding kept it above the
+/// tolerance.
 /// One line.
 std::string describe(const StaticReport& report);
 /// Seconds until the residual reaches the tolerance, if it goes on falling as it did during the last `seconds`, in
@@ -25,7 +27,8 @@ std::optional<double> seconds_left(double before, double now, double tolerance, 
 /// A callback that reports the progress of a long solve on stderr every few seconds, with an estimate of what is left.
 std::function<void(const StaticReport&)> static_news(bool quiet);
 /// Throws Error if the state is not an equilibrium: neither to the tolerance nor, with a mesh too large for Newton's
-/// method, to the limit of float32.
+/// method, to the limit of float32. The error states what is missing: supports, a load that they can carry, contact
+/// that holds a body, or a tolerance within reach.
 void require_equilibrium(const Simulation& simulation, const StaticReport& report);
 
 }  // namespace fascia

@@ -49,6 +49,7 @@ Tool standing(const std::string& name, const ToolShape& shape, const std::option
 }  // namespace
 
 ToolPlace Tool::place(double t) const {
+  if (path.empty()) return {};
   Instrument::Key key = t < path.front().time ? path.front() : path.back();
   for (std::size_t k = 1; k < path.size(); ++k) {
     const Instrument::Key &a = path[k - 1], &b = path[k];

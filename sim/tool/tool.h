@@ -23,12 +23,12 @@ struct Tool {
   Eigen::Vector3d hinge{0, 0, 1};     // axis of the jaws in the tool's axes, a unit vector, through its origin
   double open = 0;                    // [rad] by which each jaw turns from closed to open
   RigidPose mirror;                   // of the second jaw when closed
-  std::vector<Instrument::Key> path;  // one key at least
+  std::vector<Instrument::Key> path;  // times ascending; without keys it stays at the origin
   bool smooth = false;
 
   std::size_t piece_count() const { return has_jaws ? 2 : 1; }
-  ToolPlace place(double t) const;                 // on the path at time t [s]
-  double end() const { return path.back().time; }  // [s] nothing moves after this time
+  ToolPlace place(double t) const;                                    // on the path at time t [s]
+  double end() const { return path.empty() ? 0 : path.back().time; }  // [s] nothing moves after this time
   RigidPose pose_of_piece(std::size_t piece, const ToolPlace& place) const;
 };
 

@@ -7,8 +7,10 @@ namespace fascia {
 
 /// The same as an element of the scene's "instruments", which the strict reader then checks. `shape` is the name of a
 /// shape, whose values stand beside it, or JSON; `length` of a capsule or cylinder is along y, from the origin up. The
-/// origin moves from `from` to `to` (absent: stays) within `duration` after `start` [s], with the angles `rotate_deg`;
-/// or along the JSON of a path. Throws Error for a part that is not KEY=VALUE, a repeated key and invalid JSON.
+/// origin stays at `from`, or moves from there to `to` within `duration` after `start` [s], with the angles
+/// `rotate_deg`; or it moves along the JSON of a path. Throws Error, which names the key, for a part that is not
+/// KEY=VALUE, a repeated or unknown key, invalid JSON, a value of another shape, one that is missing, and for a motion
+/// without its end or its duration.
 nlohmann::json instrument_document(std::string_view text);
 
 }  // namespace fascia

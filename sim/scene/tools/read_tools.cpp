@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFarthest = 1e6;  // [m]
-constexpr double kSmallest = 1e-9;
-constexpr double kLongest = 1e9;  // [s]
+using tool_limits::kFarthest;
+using tool_limits::kLongest;
+using tool_limits::kSmallest;
 constexpr double kMostFriction = 10;
 constexpr double kMostTurns = 1000;
 const std::vector<std::string> kShapes = {"sphere", "capsule", "box", "plane", "cylinder", "mesh"};
@@ -69,7 +69,10 @@ PlaneShape read_plane(const Node& node) {
 MeshShape read_mesh_shape(const Node& node) {
   node.expect_object({"file", "scale"});
   MeshShape mesh;
-  mesh.file = node.at("file", "the path of a closed surface").text("the path of a closed surface");
+  const std::string expected = "the path of a closed surface";
+  const Node file = node.at("file", expected);
+  mesh.file = file.text(expected);
+  if (mesh.file.empty()) file.refuse(expected);
   node.read("scale", mesh.scale, kSmallest, kFarthest, "m of a unit of the file");
   return mesh;
 }

@@ -7,6 +7,12 @@
 
 namespace fascia {
 
+/// What the keys of tools may be.
+namespace tool_limits {
+inline constexpr double kFarthest = 1e6, kSmallest = 1e-9;  // [m]
+inline constexpr double kLongest = 1e9, kShortest = 1e-9;   // [s]
+}  // namespace tool_limits
+
 /// `root`: the scene. Throws Error.
 SceneTools read_tools(const Node& root);
 /// Adds the keys to the document of the scene; none without tools and with default settings.

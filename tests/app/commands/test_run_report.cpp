@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -15,6 +17,25 @@ TEST_CASE("a static solve reports its time and no steps", "[cli]") {
   CHECK(result.exit_code == 0);
   CHECK(result.err.find("fascia: solved in ") != std::string::npos);
   CHECK(result.err.find("step") == std::string::npos);
+}
+
+// Of 1 cm and 1 MPa: in a step of ten iterations the ground presses it with several times its weight.
+TEST_CASE("forces of contact in stats.json are those of the static equilibrium, with either solver", "[cli]") {
+  const TemporaryFolder folder;
+  write_mesh(folder / "cube.msh", make_box(4, 4, 4, {0.01, 0.01, 0.01}));
+  write_file(folder / "cube.json",
+             R"({"fascia_scene": 1, "bodies": [{"mesh": "cube.msh", "materials": {"default": {"young_modulus": 1e6}}}],
+                 "ground": {"height": 0, "friction": 0.5}})");
+  for (const bool reference : {true, false}) {
+    std::vector<std::string> arguments = {
+        "run", (folder / "cube.json").string(), "--static", "--context", "osmesa", "--quiet", "--stats", "-"};
+    if (reference) arguments.push_back("--reference");
+    const CommandResult result = run_fascia(arguments);
+    CAPTURE(reference, result.err);
+    REQUIRE(result.exit_code == 0);
+    const nlohmann::json force = nlohmann::json::parse(result.out)["contact"]["ground"]["force_N"];
+    CHECK(force[1].get<double>() == Approx(0.00981).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("the guide has a row for every key of stats.json", "[cli]") {

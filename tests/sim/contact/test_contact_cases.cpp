@@ -81,6 +81,58 @@ TEST_CASE("a cube above or on the ground has a static equilibrium without fixed 
   }
 }
 
+// The force of a stiff point is the penalty times a depth of few digits. Weights are carried to as many as that leaves.
+TEST_CASE("stiff bodies rest on the ground wherever they start", "[contact]") {
+  for (const double size : {0.01, 0.1})
+    for (const double young_modulus : {1e4, 1e6, 1e8, 1e9})
+      for (const double height : {0.0, 1e-6, 1e-3, -1e-3}) {
+        Model model = cube_on_ground(size, 4, soft(young_modulus, 0.3), 0.5);
+        for (Vector3d& x : model.rest_positions) x.y() += height;
+        NewtonSolver solver(model, frames());
+        State state = initial_state(model);
+        const NewtonReport report = solver.solve_static(state);
+        const ToolLoad load = solver.tool_loads().front();
+        const double weight = 1000 * size * size * size * kGravity;
+        CAPTURE(size, young_modulus, height, report.iterations, report.relative_residual, load.force.transpose());
+        CHECK(report.converged);
+        CHECK(report.rests);
+        CHECK(report.iterations < 200);
+        CHECK((load.force - Vector3d(0, weight, 0)).norm() < 1e-6 * weight);
+      }
+}
+
+TEST_CASE("what falls beside a tool or slides on it has no static equilibrium", "[contact]") {
+  Model beside = cube_on_ground(0.1, 2, soft(2e4), 0.5);
+  beside.tools.front().shape = BoxShape{{0.5, 0, 0}, {0.1, 0.1, 0.1}};
+  Model slides = cube_on_ground(0.1, 2, soft(2e4), 0.5);
+  slides.gravity.x() = 1.2 * 0.5 * kGravity;
+  Model rests = slides;
+  rests.gravity.x() = 0.95 * 0.5 * kGravity;
+  for (const Model* model : {&beside, &slides, &rests}) {
+    NewtonSolver solver(*model, frames());
+    State state = initial_state(*model);
+    const NewtonReport report = solver.solve_static(state);
+    CAPTURE(model == &beside, model == &slides, report.iterations, report.relative_residual);
+    CHECK(report.converged == (model == &rests));
+    CHECK(report.rests == (model == &rests));
+  }
+}
+
+TEST_CASE("in a static equilibrium friction holds against the pull of a grab", "[contact]") {
+  const Model model = cube_on_ground(0.1, 2, soft(1e5), 0.5);
+  NewtonSolver solver(model, frames());
+  const double pull = 3;  // [N], of 4.9 that friction bears
+  const std::uint32_t held = 4;
+  // So long that its force hardly depends on where the vertex goes.
+  solver.set_springs({{held, Vector3d(1e3 * pull, 0, 0), 1e-3}});
+  State state = initial_state(model);
+  CHECK(solver.solve_static(state).converged);
+  const Vector3d force = solver.tool_loads().front().force;
+  CAPTURE(force.transpose());
+  CHECK(force.x() == Approx(-pull).epsilon(1e-4));
+  CHECK(force.y() == Approx(9.81).epsilon(1e-4));
+}
+
 // F = A0 E a (1 - a^2) / 2 with a the stretch, for St. Venant-Kirchhoff under uniaxial compression between plates
 // without friction.
 TEST_CASE("a block between two plates passes the patch test", "[contact]") {

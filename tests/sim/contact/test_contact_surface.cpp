@@ -49,6 +49,56 @@ TEST_CASE("tools thinner than the finest points are told", "[contact]") {
   CHECK(surface.notes[0].find("tool: contact points are") == 0);
 }
 
+// Cells of 10 cm, with diagonals: the mean edge of the surface is between 10 and 18 cm.
+TEST_CASE("a skin that is thick beside the tissue is told, one thicker than a body refused", "[contact]") {
+  const auto notes_with = [](double thickness, int cells = 3) {
+    Model model = test::box_model(cells, cells, cells, {0.3, 0.3, 0.3}, test::soft(1e5));
+    BodyPart& body = model.bodies.emplace_back();
+    body.name = "body";
+    body.vertex_count = static_cast<std::uint32_t>(model.rest_positions.size());
+    model.contact.thickness = thickness;
+    model.tools = box_with(PlaneShape{{0, 0, 0}, {0, 1, 0}}).tools;
+    return check_contact(model, "s.json");
+  };
+  CHECK(notes_with(0).empty());
+  CHECK(notes_with(0.09).empty());
+  REQUIRE(notes_with(0.14, 6).size() == 1);
+  CHECK(notes_with(0.14, 6)[0].find("contact.thickness of 0.14 m is more than the elements of body, 0.0") == 0);
+  REQUIRE(notes_with(0.2).size() == 1);
+  CHECK(notes_with(0.2)[0] ==
+        "contact.thickness of 0.2 m is more than half of the smallest side of body, 0.15 m: contact may crush it");
+  CHECK_THROWS_WITH(
+      notes_with(0.31),
+      Catch::StartsWith("s.json: contact.thickness: is 0.31 m, more than the largest side of body, 0.3 m; "
+                        "expected less than its elements, 0.1"));
+}
+
+TEST_CASE("a tool that begins wholly inside tissue is told", "[contact]") {
+  const auto notes_at = [](const Vector3d& place, const ToolShape& shape) {
+    Model model = box_with(shape);
+    model.tools[0].path[0].position = place;
+    return check_contact(model, "s.json");
+  };
+  const ToolShape ball = SphereShape{{0, 0, 0}, 0.05}, rod = CapsuleShape{{0, 0, 0}, {0, 0.4, 0}, 0.05};
+  REQUIRE(notes_at({0.1, 0.15, 0.1}, ball).size() == 1);
+  CHECK(notes_at({0.1, 0.15, 0.1}, ball)[0] ==
+        "tool: begins wholly inside tissue, and touches nothing until the surface reaches it");
+  CHECK(notes_at({0.1, 0.26, 0.1}, ball).empty());  // touches the top from inside
+  CHECK(notes_at({0.1, 0.4, 0.1}, ball).empty());
+  CHECK(notes_at({0.1, 0.05, 0.1}, rod).empty());  // its middle is inside, its end sticks out
+}
+
+TEST_CASE("more rigid pieces than the GPU tells apart are refused", "[contact]") {
+  Model model = box_with(SphereShape{{0, 0, 0}, 0.2});
+  model.tools[0].path[0].position = {0, 2, 0};
+  model.tools.resize(ContactSurface::kMostPieces, model.tools[0]);
+  CHECK(check_contact(model, "s.json").empty());
+  model.tools[0].has_jaws = true;
+  CHECK_THROWS_WITH(
+      check_contact(model, "s.json"),
+      "s.json: contact: has 33 rigid pieces; expected at most 32: ground, obstacles, instruments, jaws as two");
+}
+
 TEST_CASE("the faces of quadratic tets have contact points in the middle of their edges", "[contact]") {
   Model model = test::quadratic(box_with(PlaneShape{{0, 0, 0}, {0, 1, 0}}));
   const ContactSurface surface = make_contact_surface(model);

@@ -2,7 +2,97 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/error.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/simulation/simulation.h"
+#include "tests/support/support.h"
+
 using namespace fascia;
+
+namespace {
+
+// A cube of 10 cm and 1 kg at the origin, on the ground if it has one, by the reference solver.
+struct FreeCube {
+  test::TemporaryFolder folder;
+  Scene scene;
+  FreeCube() {
+    write_mesh(folder / "cube.msh", make_box(3, 3, 3, {0.1, 0.1, 0.1}));
+    scene.file = "cube.json";
+    Body body;
+    body.name = "cube";
+    body.mesh = (folder / "cube.msh").string();
+    body.material.young_modulus = 1e5;
+    scene.bodies.push_back(body);
+    scene.tools.ground = Ground{0, 0.5};
+  }
+  std::string error() const {
+    Simulation simulation(scene, nullptr, true);
+    try {
+      require_equilibrium(simulation, simulation.solve_static());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+}  // namespace
+
+TEST_CASE("after a static solve by the reference solver its forces of contact are read out", "[static]") {
+  for (const double height : {0.0, 1e-6, -1e-3, 1e-3}) {
+    FreeCube cube;
+    cube.scene.tools.ground->height = height;
+    Simulation simulation(cube.scene, nullptr, true);
+    const StaticReport report = simulation.solve_static();
+    CAPTURE(height, describe(report));
+    CHECK(report.converged);
+    CHECK(simulation.newton_tool_loads().at(0).force.y() == Approx(9.81).epsilon(1e-8));
+    Eigen::Vector3d sum(0, 0, 0);
+    for (const Eigen::Vector3d& force : simulation.contact_forces()) sum += force;
+    CHECK(sum.y() == Approx(9.81).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("a search without an equilibrium says what is missing", "[static]") {
+  FreeCube cube;
+  CHECK(cube.error().empty());
+  cube.scene.gravity.x() = 6;
+  CHECK_THAT(cube.error(), Catch::StartsWith("cube.json: no static equilibrium after ") &&
+                               Catch::EndsWith("iterations: bodies without supports go on moving; expected contact and "
+                                               "friction that hold what has no fixed vertices (vertex 0 of cube)"));
+  Simulation simulation(FreeCube().scene, nullptr, true);
+  const auto error_of = [&](const StaticReport& report) -> std::string {
+    try {
+      require_equilibrium(simulation, report);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(error_of({0, 80, 4.26e-8, false}) ==
+        "cube.json: no static equilibrium after 80 Newton iterations, relative residual 4.26e-08; expected a tolerance "
+        "within reach, such as --set solver.tolerance=1e-07");
+  CHECK_THAT(error_of({0, 80, 0.5, false}), Catch::EndsWith("expected a load that supports and contact can carry"));
+  simulation.model.tools.clear();
+  CHECK_THAT(error_of({0, 80, 0.5, false}),
+             Catch::EndsWith("expected a constrained body and a load that it can carry"));
+}
+
+TEST_CASE("a report says where rounding ended a search", "[static]") {
+  CHECK(describe({0, 1, 1e-11, true, 1e-10}) == "static equilibrium after 1 Newton iteration, relative residual 1e-11");
+  CHECK(describe({0, 12, 1e-9, true, 1e-10}) ==
+        "static equilibrium after 12 Newton iterations, relative residual 1e-09, the rounding of double precision");
+}
+
+TEST_CASE("a scene with too many rigid pieces is refused whatever the solver", "[static]") {
+  FreeCube cube;
+  for (int i = 0; i < 40; ++i)
+    cube.scene.tools.obstacles.push_back(
+        {"ball " + std::to_string(i), SphereShape{{0, 0, 0}, 0.05}, {0, 1.0 + i, 0}, {0, 0, 0}, std::nullopt});
+  CHECK_THROWS_WITH(Simulation(cube.scene, nullptr, true),
+                    Catch::StartsWith("cube.json: contact: has 41 rigid pieces; expected at most 32"));
+}
 
 TEST_CASE("what is left of a static solve follows from the fall of its residual") {
   // From 1 to 1e-2 in 10 s; three more decades of the same pace take 15 s.

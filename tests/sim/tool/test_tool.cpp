@@ -34,6 +34,12 @@ TEST_CASE("an instrument follows the keys of its path", "[tool]") {
   CHECK(only(instrument).end() == 3);
 }
 
+TEST_CASE("a tool without a path stays at the origin", "[tool]") {
+  const Tool tool;
+  CHECK(tool.place(1) == ToolPlace{});
+  CHECK(tool.end() == 0);
+}
+
 TEST_CASE("rotations are about x, then y, then z", "[tool]") {
   CHECK((rotation_of({90, 0, 0}) * Vector3d(0, 1, 0)).isApprox(Vector3d(0, 0, 1), 1e-12));
   CHECK((rotation_of({90, 90, 0}) * Vector3d(0, 1, 0)).isApprox(Vector3d(1, 0, 0), 1e-12));

@@ -109,9 +109,63 @@ TEST_CASE("an instrument's text may stand still, and state a capsule by its leng
   CHECK(instrument_document("name=a;shape=capsule;radius=0.01;length=0.2;from=1,0,0") ==
         nlohmann::json::parse(R"({"name": "a", "shape": {"capsule": {"from": [0, 0, 0], "to": [0, 0.2, 0],
           "radius": 0.01}}, "path": [{"time": 0, "position": [1, 0, 0]}]})"));
-  CHECK(instrument_document("name=a;shape=sphere;radius=1;to=1,0,0")["path"] ==
-        nlohmann::json::parse(R"([{"time": 0, "position": [1, 0, 0]}])"));
-  CHECK_THROWS_WITH(instrument_document("name=a;oops"), Catch::StartsWith("--instrument: oops is not KEY=VALUE"));
+  CHECK(instrument_document("name=a;shape=sphere;radius=1;to=1,0,0;duration=2")["path"] ==
+        nlohmann::json::parse(R"([{"time": 0}, {"time": 2, "position": [1, 0, 0]}])"));
+}
+
+// Each with the message that it must begin with, after "--instrument: ".
+TEST_CASE("mistakes in an instrument's text are errors that name the key") {
+  const auto error = [](const std::string& text) {
+    return SceneFile(scene_text()).open_error({"--instrument " + text});
+  };
+  const std::string ball = "name=a;shape=sphere;radius=0.01;", rod = "name=a;shape=capsule;radius=0.01;";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"name=a;oops", "oops is not KEY=VALUE; expected such as name=probe"},
+      {"name=a;name=b", "name is given twice; expected each key once"},
+      {ball + "lenght=1", "lenght: unknown key \"lenght\", perhaps \"length\"; expected one of name, shape,"},
+      {"shape=sphere;radius=1", "instruments[0].name: is missing"},
+      {"name=;shape=sphere;radius=1", "has an empty name"},
+      {"name=a", "has no shape; expected one of shape and jaws"},
+      {"name=a;shape=spere;radius=1",
+       "shape: there is no shape \"spere\", perhaps \"sphere\"; expected one of sphere,"},
+      {"name=a;shape=sphere", "radius: is missing; expected it beside shape=sphere"},
+      {"name=a;shape=box", "half_size: is missing; expected it beside shape=box"},
+      {"name=a;shape=plane", "normal: is missing; expected it beside shape=plane"},
+      {"name=a;shape=mesh", "file: is missing; expected it beside shape=mesh"},
+      {"name=a;shape=mesh;file=", "instruments[0].shape.mesh.file: is \"\"; expected the path of a closed surface"},
+      {rod, "length: is missing; expected it beside shape=capsule"},
+      {rod + "length=abc", "length: is \"abc\"; expected a number, 1e-09 to 1e+06 m"},
+      {rod + "length=1,2", "length: is [1,2]; expected a number"},
+      {rod + "length=nan", "length: is \"nan\"; expected a number"},
+      {rod + "length=-0.1", "length: is -0.1; expected 1e-09 to 1e+06 m"},
+      {rod + "length=0", "length: is 0; expected 1e-09 to 1e+06 m"},
+      {ball + "length=1", "length: is no value of a sphere; expected radius, center"},
+      {"name=a;jaws={\"shape\":{\"sphere\":{\"radius\":1}}};radius=1", "radius: goes with the name of a shape"},
+      {"name=a;shape={\"sphere\":{\"radius\":1}};radius=1", "radius: goes with the name of a shape"},
+      {"name=a;shape=sphere;radius=-1", "instruments[0].shape.sphere.radius: is -1; expected 1e-09 to 1e+06 m"},
+      {"name=a;shape=sphere;radius=nan", "instruments[0].shape.sphere.radius: is \"nan\"; expected a number"},
+      {ball + "friction=-1", "instruments[0].friction: is -1; expected 0 to 10"},
+      {ball + "interpolate=cubic", "instruments[0].interpolate: is \"cubic\"; expected \"linear\" or \"smooth\""},
+      {ball + "grip=1", "instruments[0].path[0].grip: has no jaws to close"},
+      {ball + "rotate_deg=1", "instruments[0].path[0].rotate_deg: is 1; expected a list of 3 numbers"},
+      {ball + "from=0,1", "from: is [0,1]; expected a list of 3 numbers [m]"},
+      {ball + "from=0,nan,0", "from[1]: is \"nan\"; expected a number"},
+      {ball + "from=0,1,0;to=0,0,0", "duration: is missing; expected the seconds until it is at to"},
+      {ball + "to=0,0,0", "duration: is missing; expected the seconds until it is at to"},
+      {ball + "to=0,0,inf;duration=1", "to[2]: is \"inf\"; expected a number"},
+      {ball + "from=0,1,0;duration=1", "to: is missing; expected the place [x, y, z] where it is after duration [m]"},
+      {ball + "from=0,1,0;start=1", "to: is missing; expected the place [x, y, z] to which it moves from start on [m]"},
+      {ball + "to=0,0,0;duration=-1", "duration: is -1; expected 1e-09 to 1e+09 s"},
+      {ball + "to=0,0,0;duration=0", "duration: is 0; expected 1e-09 to 1e+09 s"},
+      {ball + "to=0,0,0;duration=x", "duration: is \"x\"; expected a number"},
+      {ball + "to=0,0,0;duration=1;start=-1", "start: is -1; expected 0 to 1e+09 s"},
+      {ball + "path=[{\"time\":0}];from=0,0,0", "has path and from; expected one of them"},
+      {ball + "path=1", "instruments[0].path: is 1; expected a list of keys"},
+  };
+  for (const auto& [text, begin] : cases) {
+    CAPTURE(text);
+    CHECK_THAT(error(text), Catch::StartsWith("--instrument: " + begin));
+  }
 }
 
 TEST_CASE("mistakes in tools are errors of one line that say what was expected") {
