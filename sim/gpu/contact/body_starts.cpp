@@ -52,7 +52,8 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
   const std::vector<PairStage::Support> supports = pairs.supports(shares_.size());
   const auto add = [&](double value) {
     constexpr double kMost = 1 << 30;
-    values.push_back(std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(std::clamp(value, -kMost, kMost)))));
+    values.push_back(
+        std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(std::clamp(value, -kMost, kMost)))));
   };
   for (std::size_t body = 0; body < shares_.size(); ++body) {
     const double weight = masses_[body] * gravity.norm(), fall = pairs.duration() * pairs.duration() * gravity.norm();
@@ -64,7 +65,9 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
   bodies_.upload(0, values.size() * sizeof(std::uint32_t), values.data());
 }
 
-void BodyStarts::stay() { bodies_.upload(0, shares_.size() * sizeof(float), std::vector<float>(shares_.size()).data()); }
+void BodyStarts::stay() {
+  bodies_.upload(0, shares_.size() * sizeof(float), std::vector<float>(shares_.size()).data());
+}
 
 void BodyStarts::upload_leaders() {
   if (leaders_ == uploaded_leaders_) return;

@@ -22,8 +22,10 @@ class BodyStarts {
   void stay();
 
   std::uint32_t body_count() const { return static_cast<std::uint32_t>(shares_.size()); }
-  const gl::Buffer& bodies() const { return bodies_; }           // contact_bodies
-  const gl::Buffer& body_of_vertex() const { return vertices_; }  // uint [2 * vertex_count]: whose share, own; or kNoBody
+  const gl::Buffer& bodies() const { return bodies_; }  // contact_bodies
+  const gl::Buffer& body_of_vertex() const {
+    return vertices_;
+  }  // uint [2 * vertex_count]: whose share, own; or kNoBody
 
  private:
   void upload_leaders();

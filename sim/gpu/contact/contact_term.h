@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "gl/downloads.h"
 #include "sim/coarse/coarse_contact.h"
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
-#include "gl/downloads.h"
 #include "sim/gpu/contact/body_starts.h"
 #include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
@@ -107,18 +107,18 @@ class ContactTerm : public EnergyTerm {
   double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                                      // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
-  std::uint32_t most_entries_ = 0;                         // of a vertex
-  std::vector<std::array<std::uint32_t, 4>> places_;       // of the vertices of points and pairs
-  gl::Buffer vertices_, weights_, rest_;                   // of the points
-  gl::Buffer begin_, end_, entries_;                       // the points of every vertex
-  std::vector<std::size_t> first_nodes_;                   // [tool] in grids_
+  std::uint32_t most_entries_ = 0;                    // of a vertex
+  std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
+  gl::Buffer vertices_, weights_, rest_;              // of the points
+  gl::Buffer begin_, end_, entries_;                  // the points of every vertex
+  std::vector<std::size_t> first_nodes_;              // [tool] in grids_
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
-  gl::Buffer areas_;                    // float [vertex_count] [m^2]; created for the first picture of pressures
-  std::vector<shared::vec4> uploaded_;       // of pieces_
-  std::vector<std::uint32_t> read_list_;     // of list_, for stiffness_at_points()
-  std::vector<shared::vec4> read_blocks_;    // of blocks_
+  gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
+  std::vector<shared::vec4> uploaded_;     // of pieces_
+  std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()
+  std::vector<shared::vec4> read_blocks_;  // of blocks_
 };
 
 }  // namespace fascia
