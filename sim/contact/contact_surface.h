@@ -32,7 +32,7 @@ struct ContactPiece {
 
 struct ContactSurface {
   static constexpr int kFinestLevel = 3;
-  static constexpr std::size_t kMostPieces = 32;  // that the GPU tells apart
+  static constexpr std::size_t kMostPieces = 32;  // bits of the mask of a point on the GPU
 
   std::vector<ContactPoint> points;  // level by level; none where all corners are held
   std::vector<ContactPiece> pieces;

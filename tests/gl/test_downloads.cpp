@@ -27,7 +27,8 @@ TEST_CASE("downloads of nothing do nothing") {
   Downloads downloads;
   downloads.run();
   std::uint32_t untouched = 7;
-  downloads.add(Buffer("a", 4), 0, &untouched);
+  const Buffer a("a", 4);
+  downloads.add(a, 0, &untouched);
   downloads.run();
   CHECK(untouched == 7);
   CHECK(GetError() == GL_NO_ERROR);

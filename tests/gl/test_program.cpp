@@ -144,6 +144,24 @@ TEST_CASE("reload uses new code and keeps the old code if the new one does not c
   CHECK(value() == 2.0f);
 }
 
+TEST_CASE("a cache that ends leaves no program in use") {
+  const auto context = test::each_context();
+  const test::ShaderFolder folder;
+  folder.write("fill.comp", kFill);
+  folder.write("value.glsl", "float value() { return 2.0; }\n");
+  const auto in_use = [] {
+    GLint id = 0;
+    GetIntegerv(GL_CURRENT_PROGRAM, &id);
+    return id;
+  };
+  {
+    ProgramCache programs(folder.path(), LoadPath::storage);
+    CHECK(filled(programs.compute("fill.comp")) == 2.0f);
+    CHECK(in_use() != 0);
+  }
+  CHECK(in_use() == 0);
+}
+
 TEST_CASE("uniforms are set by name and unknown names are ignored") {
   const auto context = test::each_context();
   const test::ShaderFolder folder;

@@ -44,7 +44,7 @@ void main() {
   float reach = 2.0 * length(way);
   uint body = contact_bodies[BODY_OF_POINT(i)], force = FORCE_OF_BODY(body), leader = contact_bodies[LEADER_OF_POINT(i)];
   float mass = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]);
-  if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u])) 
+  if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u]))
     way = way_of_carried(contact_bodies[force + 3u], contact_bodies[force + 4u], contact_bodies[force + 5u], contact_bodies[force + 6u]);
   uint near = 0u;
   for (uint piece = 0u; piece < pieces; ++piece) {

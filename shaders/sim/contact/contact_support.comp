@@ -38,7 +38,7 @@ void main() {
   ivec3 whole = weight > 0.0 ? ivec3(round(clamp(force / (SUPPORT_UNIT * weight), -most, most))) : ivec3(0);
   if (whole != ivec3(0)) {
     uint sums = FORCE_OF_BODY(body);
-    ivec3 ways = ivec3(round(clamp(way / (WAY_UNIT * SUBSTEP * SUBSTEP * length(GRAVITY)), -most, most)));
+    ivec3 ways = ivec3(round(clamp(way / (WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY)), -most, most)));
     atomicAdd(contact_bodies[sums], uint(whole.x));
     atomicAdd(contact_bodies[sums + 1u], uint(whole.y));
     atomicAdd(contact_bodies[sums + 2u], uint(whole.z));

@@ -17,13 +17,13 @@
 // Half of the force with which a slope of this body's weight would press it is enough.
 bool is_carried(uint x, uint y, uint z) {
   vec3 force = SUPPORT_UNIT * vec3(int(x), int(y), int(z));
-  float up = -dot(normalize(GRAVITY), force), size = length(force);
-  return up >= 0.2 * size && size * size >= 0.5 * up && size > 0.0;
+  float up = -dot(GRAVITY, force), gravity = length(GRAVITY), size = length(force);
+  return size > 0.0 && up >= 0.2 * gravity * size && gravity * size * size >= 0.5 * up;
 }
 
 // The way of a body that is carried [m], from the sum and the number.
 vec3 way_of_carried(uint x, uint y, uint z, uint count) {
-  return vec3(int(x), int(y), int(z)) * (WAY_UNIT * SUBSTEP * SUBSTEP * length(GRAVITY) / float(max(count, 1u)));
+  return vec3(int(x), int(y), int(z)) * (WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY) / float(max(count, 1u)));
 }
 
 // How deep inside a piece the iterations may start, so that a point with this penalty [N/m] presses [m]: `most`, but no

@@ -60,9 +60,10 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
       surface_(make_contact_surface(model)),
       pairs_(model),
       half_thickness_(0.5 * model.contact.thickness) {
-  if (surface_.pieces.size() > kMostPieces)
+  if (surface_.pieces.size() > ContactSurface::kMostPieces)
     throw Error("contact", "has " + std::to_string(surface_.pieces.size()) + " rigid pieces",
-                "expected at most " + std::to_string(kMostPieces) + ": ground, obstacles, instruments, jaws as two");
+                "expected at most " + std::to_string(ContactSurface::kMostPieces) +
+                    ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
   margin_ = kContactMargin * buffers.size;
   make_grids();

@@ -20,10 +20,9 @@ namespace fascia {
 
 class ContactTerm : public EnergyTerm {
  public:
-  static constexpr std::size_t kMostPieces = 32;  // bits of a point's mask
-
   /// `model`: in its own order, outlives this as `buffers` do, which hold its vertices in theirs, and get their
-  /// contact_memory here. The model's materials may change. Throws Error for more than kMostPieces pieces.
+  /// contact_memory here. The model's materials may change. Throws Error for more than
+  /// ContactSurface::kMostPieces pieces.
   ContactTerm(const Model& model, SimBuffers& buffers);
 
   void materials_changed(const Model& model);
