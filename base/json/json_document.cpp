@@ -103,7 +103,7 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 }  // namespace
 
 json parse_json(std::string_view text, const std::string& where) {
-  DocumentBuilder builder(text, where);
+  DocumentBuilder builder(text, on_one_line(where));  // an option's text may hold anything
   json::sax_parse(text, &builder);
   return builder.take();
 }

@@ -95,7 +95,7 @@ void GpuSolver::upload(const State& state) {
   starts_inside_out_ = needs_unfolding(given_, state);
   if (unfolding_ && !starts_inside_out_) end_unfolding();
   state_changed();
-  ease(false);
+  set_hardness(Hardness::own);
   if (buffers_.earlier_displacement) earlier_step_ = state.earlier.step;
   guard_.keep(buffers_, {time_, earlier_step_});
 }

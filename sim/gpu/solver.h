@@ -200,7 +200,7 @@ class GpuSolver {
   void unfold();  // before a step (sim/gpu/unfolding.h)
   void end_unfolding();
   bool handled() const;   // whether a grab, a tool or a prescribed motion acts
-  void ease(bool eased);  // the law squared, or no longer (sim/gpu/readback/tangle_watch.h)
+  void set_hardness(Hardness hardness);  // of the law squared (sim/gpu/readback/tangle_watch.h)
   void state_changed();
   void restart_rounds();                               // of what looks at the state every few steps
   std::uint32_t vertex_at(std::uint32_t place) const;  // `place`: as read back

@@ -37,7 +37,7 @@ void GpuSolver::record() {
   take(kind);
   if (!features_.models.contains(MaterialModel::squared)) {
     tangles_.reset();
-    ease(false);
+    set_hardness(Hardness::own);
   } else if (!tangles_) {
     tangles_.emplace(programs_, buffers_);
   }

@@ -242,9 +242,9 @@ void GpuSolver::end_unfolding() {
 
 bool GpuSolver::handled() const { return !springs_.empty() || touches() || time_ < given_.end_of_motions(); }
 
-void GpuSolver::ease(bool eased) {
-  if (eased == buffers_.eased) return;
-  buffers_.eased = eased;
+void GpuSolver::set_hardness(Hardness hardness) {
+  if (hardness == buffers_.hardness) return;
+  buffers_.hardness = hardness;
   buffers_.upload_materials(model_);
   upload_step(next_stages().front());
 }
@@ -252,7 +252,7 @@ void GpuSolver::ease(bool eased) {
 void GpuSolver::step() {
   const gl::KeptBindings kept;
   if (starts_inside_out_ || unfolding_) unfold();
-  if (tangles_ && !buffers_.displacement_low) ease(tangles_->is_eased(time_, handled()));
+  if (tangles_ && !buffers_.displacement_low) set_hardness(tangles_->hardness(time_, handled()));
   look_beside();
   choose_passes();
   begin_step();

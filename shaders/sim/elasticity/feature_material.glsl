@@ -1,6 +1,6 @@
 // The material of a tet: one for the whole scene (a uniform), or one per region looked up by tet.
 // vec4: x E [Pa], y nu [-], z damping [s], w model (MaterialModel) + mooney_ratio / 2 of mooney_rivlin, + 1/2 of
-// squared while it is eased. The models of the scene are known when a kernel is compiled, so the material's own model is
+// squared while it is eased, + 1/4 while it is firm. The models of the scene are known when a kernel is compiled, so the material's own model is
 // read only if there are several.
 #include "common/step.glsl"
 #if MATERIAL_PER_TET

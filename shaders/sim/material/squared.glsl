@@ -1,7 +1,10 @@
 // Squared neo-Hookean material (sim/material/squared.cpp), written in H = F - I and C1 = cof F - I, i3 = |F|^2 - 3:
 //   P = mu (H - C1) + mu i3/3 F + (mu (1 - l'(J)) + k v'(J)) C
-// Eased (sim/gpu/readback/tangle_watch.h), the material has a fraction beside the number of its model.
-float squared_least_ratio(vec4 material) { return fract(material.w) > 0.0 ? LEAST_VOLUME_RATIO : 0.05; }
+// Eased or firm (sim/gpu/readback/tangle_watch.h), the material has a fraction beside the number of its model.
+float squared_least_ratio(vec4 material) {
+  float fraction = fract(material.w);
+  return fraction == 0.0 ? 0.05 : fraction == 0.5 ? LEAST_VOLUME_RATIO : 0.01;
+}
 
 Elastic squared_response(mat3 h, vec4 material) {
   float mu = lame_mu(material), j1 = det_f_minus_one(h), i3 = stretch_invariant(h);

@@ -21,10 +21,11 @@ vec4 to_vec4(const Eigen::Vector3d& v, double w) {
 }
 
 // The fraction of the last component is that of shaders/sim/elasticity/feature_material.glsl.
-vec4 to_vec4(const Material& m, bool eased) {
+vec4 to_vec4(const Material& m, Hardness hardness) {
   float model = static_cast<float>(m.model);
   if (m.model == MaterialModel::mooney_rivlin) model += 0.5f * static_cast<float>(m.mooney_ratio);
-  if (m.model == MaterialModel::squared && eased) model += 0.5f;
+  if (m.model == MaterialModel::squared && hardness != Hardness::own)
+    model += hardness == Hardness::eased ? 0.5f : 0.25f;
   return {static_cast<float>(m.young_modulus), static_cast<float>(m.poisson_ratio), static_cast<float>(m.damping),
           model};
 }
@@ -294,7 +295,7 @@ std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buff
 void SimBuffers::upload_materials(const Model& model) {
   if (materials) {
     std::vector<vec4> values;
-    for (const Material& m : model.materials) values.push_back(to_vec4(m, eased));
+    for (const Material& m : model.materials) values.push_back(to_vec4(m, hardness));
     materials.upload(0, values.size() * sizeof(vec4), values.data());
   }
   const std::vector<double> masses = lumped_masses(model);
@@ -316,7 +317,7 @@ void SimBuffers::upload_step(const Model& model, const SolverSettings& settings,
       to_vec4(model.gravity, h),
       {static_cast<float>(settings.spectral_radius), static_cast<float>(settings.iterations),
        static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
-      to_vec4(model.materials.front(), eased),
+      to_vec4(model.materials.front(), hardness),
       {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), static_cast<float>(stage.duration),
        static_cast<float>(stage.extrapolation), 0}};
   step.upload(0, sizeof values, &values);

@@ -13,6 +13,9 @@
 
 namespace fascia {
 
+/// From which share of the volume on the law squared continues its logarithm (sim/gpu/readback/tangle_watch.h).
+enum class Hardness { own, eased, firm };
+
 struct SimBuffers {
   /// `model`: in the order of placed(). States enter and leave in the order of the original model, everything else uses
   /// places.
@@ -78,7 +81,7 @@ struct SimBuffers {
                               // without tools, as the next one
   gl::Buffer contact_before;  // the same at the start of the stage
 
-  bool eased = false;  // the law squared; upload_materials() and upload_step() pass it on
+  Hardness hardness = Hardness::own;  // of the law squared; upload_materials() and upload_step() pass it on
 
   gl::Buffer diverged;  // uint [1] smallest index of a diverged vertex (shaders/sim/step/velocity.comp), ~0 for none
 

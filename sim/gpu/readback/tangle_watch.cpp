@@ -15,15 +15,20 @@ constexpr double kLongest = 2;         // [s]
 void Easing::look(double least, double time, bool handled) {
   if (handled) armed_ = true;
   if (least > kUprightRatio) {
-    eased_ = false;
+    hardness_ = Hardness::own;
     armed_ = true;
-  } else if (least <= 0 && !eased_ && armed_) {
-    eased_ = true;
+  } else if (hardness_ == Hardness::eased) {
+    if (handled) {
+      until_ = time + kLongest;
+    } else if (time >= until_) {
+      hardness_ = Hardness::own;
+      armed_ = false;
+    }
+  } else if (least <= 0) {
+    hardness_ = armed_ ? Hardness::eased : Hardness::firm;
     until_ = time + kLongest;
-  } else if (eased_ && handled) {
-    until_ = time + kLongest;
-  } else if (eased_ && time >= until_) {
-    eased_ = armed_ = false;
+  } else if (armed_) {
+    hardness_ = Hardness::own;
   }
 }
 
@@ -38,7 +43,7 @@ TangleWatch::TangleWatch(gl::ProgramCache& programs, const SimBuffers& buffers)
                Reduction(programs, buffers.tet_count, true).lanes,
                gl::ComputePass::Constants{{"tet_count", buffers.tet_count}}) {}
 
-bool TangleWatch::is_eased(double time, bool handled) {
+Hardness TangleWatch::hardness(double time, bool handled) {
   if (age_ >= kInterval) {
     if (fence_.take(true))
       easing_.look(1 - static_cast<double>(std::bit_cast<float>(read_back_.read<std::uint32_t>().front())), time,
@@ -50,7 +55,7 @@ bool TangleWatch::is_eased(double time, bool handled) {
     age_ = 0;
   }
   ++age_;
-  return easing_.eased();
+  return easing_.hardness();
 }
 
 void TangleWatch::restart() {

@@ -1,8 +1,10 @@
 // The law squared keeps a tet upright up to large pressures, and so it would keep tissue that was pulled through itself
 // in a tangle of upright tets, which come apart only through J = 0. While tissue is or may be tangled, the law
 // therefore continues its logarithm from a larger share of the volume on: it is eased (kLeastVolumeRatio in
-// sim/material/invariants.h). The watch reads the least J of all tets every few steps, a reading late so that no step
-// waits. Whether a step is eased depends on the state at the last restart() and on inputs alone: runs repeat to the
+// sim/material/invariants.h). What is inverted all the same when that has ended is so under a load, such as weight over
+// the edge of a support, where the pressure grows with the fineness of the mesh: then the law is firm
+// (kLeastVolumeRatioOfFirm). The watch reads the least J of all tets every few steps, a reading late so that no step
+// waits. The law of a step depends on the state at the last restart() and on inputs alone: runs repeat to the
 // bit.
 #pragma once
 #include <cstdint>
@@ -14,19 +16,19 @@
 
 namespace fascia {
 
-/// When the law is eased: from a look that finds a tet with J <= 0 until one that finds J > 0.3 everywhere, but at most
-/// for two seconds after the last grab, tool or prescribed motion acted. Tets that are inverted then are so under a
-/// load, such as weight over the edge of a support, and a law that is not eased turns them upright; easing it again
-/// waits until all have been above 0.3, or something handles the tissue.
+/// The law is eased from a look that finds a tet with J <= 0 until one that finds J > 0.3 everywhere, but at most for
+/// two seconds after the last grab, tool or prescribed motion acted. After that it is its own, from the next look with
+/// J <= 0 on firm, and stays so until all tets are above 0.3 or something handles the tissue.
 class Easing {
  public:
   /// The least J at `time` [s]; `handled`: whether a grab, a tool or a prescribed motion acts.
   void look(double least, double time, bool handled);
-  bool eased() const { return eased_; }
+  Hardness hardness() const { return hardness_; }
 
  private:
-  bool eased_ = false, armed_ = true;
-  double until_ = 0;  // [s]
+  Hardness hardness_ = Hardness::own;
+  bool armed_ = true;  // the next inversion eases
+  double until_ = 0;   // [s]
 };
 
 class TangleWatch {
@@ -36,8 +38,8 @@ class TangleWatch {
   /// Of all tets, by their corners. `buffers` must outlive this object, and keep their tets' order.
   TangleWatch(gl::ProgramCache& programs, const SimBuffers& buffers);
 
-  /// Whether the next step is eased; called once before each.
-  bool is_eased(double time, bool handled);
+  /// Of the next step; called once before each.
+  Hardness hardness(double time, bool handled);
   /// The state was replaced.
   void restart();
   /// The state became that of another solver.

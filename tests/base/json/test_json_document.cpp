@@ -51,6 +51,10 @@ TEST_CASE("a syntax error has the line and the column of the byte that is wrong"
   CHECK(error_of("\"" + std::string(10000, 'x')).size() < 300);
 }
 
+TEST_CASE("a source with control characters is named on one line") {
+  CHECK_THROWS_WITH(parse_json("[", "--grab a\x1b"), Catch::StartsWith("\"--grab a\\u001b\":1:2: "));
+}
+
 TEST_CASE("a key that is given twice is named with its path") {
   CHECK(error_of(R"({"a": 1, "a": 2})") == "f.json: a: is given twice; expected each key once");
   CHECK(error_of(R"({"a": [0, {"b": {"c": 1, "c": 1}}]})") ==

@@ -28,37 +28,56 @@ State of_volume(const Model& model, double ratio) {
   return state;
 }
 
+constexpr double kVolume = 0.001 / 6, kSide = 0.1;
+
+// Of the law squared, in a tet that stretches by j along z; `least`: from where its logarithm is continued.
+double density(const Material& m, double j, double least) {
+  const double mu = m.lame_mu(), k = m.lame_lambda() - 2 * mu / 3, i1 = 2 + j * j;
+  return mu / 12 * (i1 * i1 - 9) + mu * (above_extended_log(j - 1, least).value - (j - 1)) + k / 2 * (j - 1) * (j - 1);
+}
+
+// That holds the upper vertex there [N].
+double force_at(const Material& m, double j, double least) {
+  constexpr double kNudge = 1e-5;
+  return kVolume / kSide * (density(m, j + kNudge, least) - density(m, j - kNudge, least)) / (2 * kNudge);
+}
+
 }  // namespace
 
 TEST_CASE("the law is eased from an inverted tet until all are upright again") {
   Easing easing;
   easing.look(0.1, 0, false);
-  CHECK_FALSE(easing.eased());
+  CHECK(easing.hardness() == Hardness::own);
   easing.look(0, 0.1, false);
-  CHECK(easing.eased());
+  CHECK(easing.hardness() == Hardness::eased);
   easing.look(0.2, 0.2, false);
-  CHECK(easing.eased());
+  CHECK(easing.hardness() == Hardness::eased);
   easing.look(0.31, 0.3, false);
-  CHECK_FALSE(easing.eased());
+  CHECK(easing.hardness() == Hardness::own);
   easing.look(-1, 0.4, false);
-  CHECK(easing.eased());
+  CHECK(easing.hardness() == Hardness::eased);
 }
 
-TEST_CASE("tets that stay inverted without a hand have the law itself, until they are handled or upright") {
+TEST_CASE("tets that stay inverted without a hand make the law firm, until they are handled or upright") {
   for (const bool by_hand : {true, false}) {
     Easing easing;
     easing.look(-1, 1, true);
     easing.look(-1, 9, true);
-    CHECK(easing.eased());
+    CHECK(easing.hardness() == Hardness::eased);
     easing.look(-1, 10.9, false);
-    CHECK(easing.eased());
+    CHECK(easing.hardness() == Hardness::eased);
     easing.look(-1, 11, false);
-    CHECK_FALSE(easing.eased());
+    CHECK(easing.hardness() == Hardness::own);
     easing.look(-1, 12, false);
-    CHECK_FALSE(easing.eased());
-    if (!by_hand) easing.look(0.4, 13, false);
+    CHECK(easing.hardness() == Hardness::firm);
+    easing.look(0.1, 12.5, false);
+    CHECK(easing.hardness() == Hardness::firm);
+    if (!by_hand) {
+      easing.look(0.4, 13, false);
+      CHECK(easing.hardness() == Hardness::own);
+    }
     easing.look(-1, 14, by_hand);
-    CHECK(easing.eased());
+    CHECK(easing.hardness() == Hardness::eased);
   }
 }
 
@@ -71,7 +90,7 @@ TEST_CASE("the watch finds an inverted tet a reading later, and forgets it with 
     buffers.upload_state(model, of_volume(model, ratio));
     watch.restart();
     int step = 0;
-    while (step < 40 && !watch.is_eased(0, true)) ++step;
+    while (step < 40 && watch.hardness(0, true) == Hardness::own) ++step;
     return step;
   };
   CHECK(first_eased(0.1) == 40);
@@ -86,7 +105,7 @@ TEST_CASE("a solver eases the law of a tet that is pushed through its foot, and 
   const auto pushed_to = [&](double ratio) {
     solver.set_grab({{3, Vector3d(0, 0, 0.1 * (ratio - 1)), 1e6}});
     for (int step = 0; step < 3 * TangleWatch::kInterval; ++step) solver.step();
-    return solver.buffers().eased;
+    return solver.buffers().hardness == Hardness::eased;
   };
   CHECK_FALSE(pushed_to(0.5));
   CHECK(pushed_to(-0.5));
@@ -94,7 +113,7 @@ TEST_CASE("a solver eases the law of a tet that is pushed through its foot, and 
   CHECK_FALSE(pushed_to(0.5));
   CHECK(pushed_to(-0.5));
   solver.reset();
-  CHECK_FALSE(solver.buffers().eased);
+  CHECK(solver.buffers().hardness == Hardness::own);
 }
 
 // A tet that is drawn down to J stretches by J along z. Both the energy and the hand's force tell the law.
@@ -102,13 +121,8 @@ TEST_CASE("an eased tet has the energy and the force of the law with the larger 
   Gpu gpu;
   Model model = one_tet();
   model.gravity.setZero();
-  const double mu = model.materials[0].lame_mu(), k = model.materials[0].lame_lambda() - 2 * mu / 3;
-  const auto density = [&](double j, double least) {
-    const double i1 = 2 + j * j;
-    return mu / 12 * (i1 * i1 - 9) + mu * (above_extended_log(j - 1, least).value - (j - 1)) +
-           k / 2 * (j - 1) * (j - 1);
-  };
-  constexpr double kVolume = 0.001 / 6, kSide = 0.1, kGrip = 1e6, kNudge = 1e-5;
+  constexpr double kGrip = 1e6;
+  const Material material = model.materials[0];
   for (const bool eased : {false, true}) {
     const double least = eased ? kLeastVolumeRatio : kLeastVolumeRatioOfSquared;
     GpuSolver solver(gpu.programs, model, {});
@@ -118,29 +132,53 @@ TEST_CASE("an eased tet has the energy and the force of the law with the larger 
     };
     if (eased) pull_to(-0.5);
     pull_to(0.1);
-    REQUIRE(solver.buffers().eased == eased);
+    REQUIRE(solver.buffers().hardness == (eased ? Hardness::eased : Hardness::own));
     const double z = solver.download().displacement[3].z(), j = 1 + z / kSide;
     const double force = kGrip * (kSide * (0.1 - 1) - z);  // of the hand [N]
-    const double exact = kVolume / kSide * (density(j + kNudge, least) - density(j - kNudge, least)) / (2 * kNudge);
+    const double exact = force_at(material, j, least);
     solver.request_diagnostics();
     const double energy = solver.take_diagnostics(true)->elastic;
-    CAPTURE(eased, j, force, exact, energy, kVolume * density(j, least), kVolume * density(j, 0.25 - least));
+    CAPTURE(eased, j, force, exact, energy, kVolume * density(material, j, least),
+            kVolume * density(material, j, 0.25 - least));
     CHECK(j < kLeastVolumeRatio);
     CHECK(force == Approx(exact).epsilon(2e-4));
-    CHECK(energy == Approx(kVolume * density(j, least)).epsilon(1e-5));
-    CHECK(energy != Approx(kVolume * density(j, 0.25 - least)).epsilon(1e-3));  // of the other share
+    CHECK(energy == Approx(kVolume * density(material, j, least)).epsilon(1e-5));
+    CHECK(energy != Approx(kVolume * density(material, j, 0.25 - least)).epsilon(1e-3));  // of the other share
   }
 }
 
-TEST_CASE("the kernels learn that the law is eased from the fraction of its number", "[gpu]") {
+// Twice the load that the law itself carries upright.
+TEST_CASE("a tet that its weight keeps inverted turns upright once the law is firm", "[gpu]") {
+  Gpu gpu;
+  Model model = one_tet();
+  const Material material = model.materials[0];
+  const double load = -2 * force_at(material, 0, kLeastVolumeRatioOfSquared);
+  model.gravity = {0, 0, -load / (kVolume * material.density / 4)};
+  GpuSolver solver(gpu.programs, model, {});
+  const auto ratio_after = [&](int steps) {
+    for (int step = 0; step < steps; ++step) solver.step();
+    return 1 + solver.download().displacement[3].z() / kSide;
+  };
+  const double eased = ratio_after(60);
+  CHECK(solver.buffers().hardness == Hardness::eased);
+  const double firm = ratio_after(120);
+  CHECK(solver.buffers().hardness == Hardness::firm);
+  CAPTURE(load, eased, firm);
+  CHECK(eased < 0);
+  CHECK(firm > 0);
+  CHECK(-force_at(material, firm, kLeastVolumeRatioOfFirm) == Approx(load).epsilon(1e-3));
+}
+
+TEST_CASE("the kernels learn that the law is eased or firm from the fraction of its number", "[gpu]") {
   Gpu gpu;
   const Model model = one_tet();
   SimBuffers buffers(model);
   const IntegratorStage stage{1.0 / 60};
-  for (const bool eased : {false, true}) {
-    buffers.eased = eased;
+  for (const auto& [hardness, fraction] :
+       {std::pair{Hardness::own, 0.0f}, {Hardness::eased, 0.5f}, {Hardness::firm, 0.25f}}) {
+    buffers.hardness = hardness;
     buffers.upload_step(model, {}, stage);
     const float number = buffers.step.read<shared::StepValues>().front().material.w;
-    CHECK(number == static_cast<float>(MaterialModel::squared) + (eased ? 0.5f : 0));
+    CHECK(number == static_cast<float>(MaterialModel::squared) + fraction);
   }
 }
