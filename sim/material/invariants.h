@@ -35,7 +35,7 @@ struct OfVolume {
 /// through J = 0, so that an inverted tet recovers. A smaller ratio keeps tets at the edges of supports upright under
 /// larger pressures, but also in tangles: tissue that was pulled through itself returns through J = 0. Hence the
 /// law squared has a smaller one, unless it is eased (sim/gpu/readback/tangle_watch.h), and firm the smallest.
-inline constexpr double kLeastVolumeRatio = 0.2, kLeastVolumeRatioOfSquared = 0.05, kLeastVolumeRatioOfFirm = 0.01;
+inline constexpr double kLeastVolumeRatio = 0.2, kLeastVolumeRatioOfSquared = 0.05, kLeastVolumeRatioOfFirm = 0.003;
 OfVolume above_extended_log(double volume, double least = kLeastVolumeRatio);
 
 /// k v(J): v = (J - 1)^2 / 2, and (log J)^2 / 2 where k < 0 and J > 1, since a negative multiple of a parabola has no

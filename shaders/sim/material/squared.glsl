@@ -3,7 +3,7 @@
 // Eased or firm (sim/gpu/readback/tangle_watch.h), the material has a fraction beside the number of its model.
 float squared_least_ratio(vec4 material) {
   float fraction = fract(material.w);
-  return fraction == 0.0 ? 0.05 : fraction == 0.5 ? LEAST_VOLUME_RATIO : 0.01;
+  return fraction == 0.0 ? 0.05 : fraction == 0.5 ? LEAST_VOLUME_RATIO : 0.003;
 }
 
 Elastic squared_response(mat3 h, vec4 material) {
