@@ -5,6 +5,7 @@
 #define LANES 1u
 #define SHARED_ITEM_OR_RETURN(i, lane) ITEM_OR_RETURN(i) const uint lane = 0u;
 #define SUM_OVER_LANES(sum, lane)
+#define SUM_FOR_ALL_LANES(sum, lane)
 #else
 #define LANES uint(GROUP_SIZE)
 #define SHARED_ITEM_OR_RETURN(i, lane) uint i = gl_WorkGroupID.x, lane = gl_LocalInvocationID.x;
@@ -18,5 +19,11 @@ shared vec3 lane_sums[GROUP_SIZE];
     barrier();                                                        \
     if (lane < other) lane_sums[lane] += lane_sums[lane + other];     \
   }                                                                   \
+  sum = lane_sums[0];
+
+// The same; afterwards it is that of every one.
+#define SUM_FOR_ALL_LANES(sum, lane) \
+  SUM_OVER_LANES(sum, lane)          \
+  barrier();                         \
   sum = lane_sums[0];
 #endif

@@ -199,7 +199,7 @@ class GpuSolver {
   void choose_passes();
   void unfold();  // before a step (sim/gpu/unfolding.h)
   void end_unfolding();
-  bool handled() const;   // whether a grab, a tool or a prescribed motion acts
+  bool handled() const;                  // whether a grab, a tool or a prescribed motion acts
   void set_hardness(Hardness hardness);  // of the law squared (sim/gpu/readback/tangle_watch.h)
   void state_changed();
   void restart_rounds();                               // of what looks at the state every few steps

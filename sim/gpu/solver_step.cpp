@@ -68,7 +68,7 @@ void GpuSolver::place_tools(double duration) {
   const double from = (time_ - step_begin_) / settings_.time_step;
   stage_motion_ = step_motion_.part(from, from + duration / settings_.time_step);
   if (!touches()) return;
-  contact_.begin_stage(stage_motion_, time_ + duration, duration, buffers_);
+  contact_.begin_stage(stage_motion_, time_ + duration, duration, stiffness_of(terms_), buffers_);
 }
 
 // What begins to press within the iterations, or leaves what it touched, would be held as at the start of the stage:

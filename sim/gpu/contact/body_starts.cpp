@@ -6,11 +6,11 @@
 #include <numeric>
 
 #include "sim/contact/tissue_surface.h"
+#include "sim/gpu/contact/free_groups.h"
 
 namespace fascia {
 namespace {
 
-constexpr std::uint32_t kNoBody = ~0u;      // shaders/sim/contact/contact_advance.comp
 constexpr double kUnitsOfWeight = 1 << 18;  // 1 / SUPPORT_UNIT of shaders/sim/contact/support.glsl
 constexpr double kUnitsOfWay = 1 << 13;     // 1 / WAY_UNIT
 

@@ -107,6 +107,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
   starts_ = BodyStarts(model, buffers, first_vertices);
+  if (!pairs_.empty()) groups_ = FreeGroups(model, buffers);
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.row_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -165,13 +166,15 @@ void ContactTerm::materials_changed(const Model& model) {
   upload_points(model);
 }
 
-void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration, SimBuffers& buffers) {
+void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration,
+                              const std::vector<VertexStiffness>& springs, SimBuffers& buffers) {
   if (!acts()) return;
   if (!surface_.empty()) place_pieces(motion);
   if (!pairs_.empty()) {
     const bool had_pairs = !pairs_.rows().empty();
     pairs_.begin(time, duration, buffers, surface_.row_count);
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
+    groups_.begin(pairs_.rows(), springs);
   }
   starts_.begin(model_.gravity, pairs_);
 }
@@ -179,6 +182,7 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, double dura
 bool ContactTerm::search_again(SimBuffers& buffers) {
   if (!pairs_.search_again(buffers, surface_.row_count)) return false;
   upload_pairs();
+  groups_.join(pairs_.rows());
   starts_.stay();
   return true;
 }

@@ -12,6 +12,7 @@
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
 #include "sim/gpu/contact/body_starts.h"
+#include "sim/gpu/contact/free_groups.h"
 #include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
@@ -26,9 +27,10 @@ class ContactTerm : public EnergyTerm {
   ContactTerm(const Model& model, SimBuffers& buffers);
 
   void materials_changed(const Model& model);
-  /// The poses of a stage of `duration` that ends at `time` [s], and the pairs of the tissue. Waits for the GPU where
-  /// tissue touches tissue.
-  void begin_stage(const ToolMotion& motion, double time, double duration, SimBuffers& buffers);
+  /// The poses of a stage of `duration` that ends at `time` [s], and the pairs of the tissue, on which `springs` act,
+  /// at places of the buffers' vertices. Waits for the GPU where tissue touches tissue.
+  void begin_stage(const ToolMotion& motion, double time, double duration, const std::vector<VertexStiffness>& springs,
+                   SimBuffers& buffers);
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers);
@@ -106,6 +108,7 @@ class ContactTerm : public EnergyTerm {
   double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                                      // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
+  FreeGroups groups_;                                 // where tissue touches tissue
   std::uint32_t most_entries_ = 0;                    // of a vertex
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points
