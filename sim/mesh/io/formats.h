@@ -55,7 +55,8 @@ std::string tetgen_node_text(const TetMesh& mesh);
 std::string tetgen_ele_text(const TetMesh& mesh);
 
 /// Of every reader that finds cells with nodes between their corners.
-inline constexpr const char* kHigherOrderNote = "Cells of higher order: kept the corners of each.";
+inline constexpr const char* kHigherOrderNote =
+    "Cells of higher order: kept the corners of each; elements=quadratic keeps all nodes of quadratic tets.";
 
 /// Adds a cell that is not a tet to `ignored`, by its dimension and number of corners.
 void count_ignored(MeshFile& file, int dimension, int corners, std::size_t cells = 1);
