@@ -19,9 +19,9 @@ struct HeldBody {
 struct WeightResponse {
   double strain = 0;  // [-] Frobenius norm that a hundredth of the volume exceeds
   double peak = 0;    // [-] the largest one
-  double sag = 0;     // [-] the largest displacement over the size of the body's box
-  // [-] the largest displacement under gravity from the side over the height; near 1 a column buckles under its own weight,
-  // and a body that lies on a narrow strip rolls off it
+  double sag = 0;     // [-] displacement that a hundredth of the mass exceeds, over the size of the body's box
+  // [-] the same displacement under gravity from the side over the height; near 1 a column buckles under its own
+  // weight, and a body that lies on a narrow strip rolls off it
   double sway = 0;
 };
 
