@@ -85,7 +85,7 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
   LatticeFill fill = fill_inside(tree, filled.repaired.balanced, filled.resolution, part_of(progress, 0.2, 1));
   if (fill.tets.empty())
     throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
-  const std::size_t whole = fill.whole;
+  const std::size_t whole = fill.whole, apart = fill.apart;
   const double overlap = multiplicity(tree, fill.positions, fill.tets);
   filled.file = as_mesh(std::move(fill));
   filled.file.notes = notes_of(found);
@@ -100,11 +100,12 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     double volume = 0;
     const auto& x = filled.file.mesh.positions;
     for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
-    // A sharp edge is thinner than any lattice: only a visible difference is reported.
+    // A sharp edge is thinner than any lattice: only a visible difference is reported, and a part as long as a cell.
     constexpr double kVolume = 0.02, kShare = 0.1;
+    constexpr std::size_t kApart = 12;  // tets of a cell
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
     const double ratio = overlap * volume / found.volume;
-    const bool notable = std::abs(ratio - 1) > kVolume || share > kShare;
+    const bool notable = std::abs(ratio - 1) > kVolume || share > kShare || apart >= kApart;
     if (notable)
       filled.file.notes.push_back(
           "parts are thinner than the lattice's cells, 1/" + std::to_string(filled.resolution) +
