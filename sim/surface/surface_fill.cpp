@@ -41,8 +41,8 @@ std::string remedy_for_thin_parts(const SurfaceReport& report, int resolution) {
          " tets)";
 }
 
-/// How often the surface encloses its inside, on average: more than once where shells overlap, whose volume the report
-/// adds up.
+/// How often the surface encloses its inside, on average. Where it overlaps itself the report adds up volume
+/// that is filled once.
 double multiplicity(const TriangleTree& surface, const std::vector<Eigen::Vector3d>& x, const std::vector<Tet>& tets) {
   constexpr std::size_t kSamples = 2000;
   double inside = 0, enclosed = 0;
@@ -93,9 +93,9 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
   filled.notes_of_surface = std::ssize(filled.file.notes);
   constexpr double kOverlap = 1.005;
   if (overlap > kOverlap)
-    filled.file.notes.push_back("shells overlap, and what several enclose is filled once (" +
+    filled.file.notes.push_back("the surface overlaps itself, and what it encloses several times is filled once (" +
                                 number(100 * (1 - 1 / overlap)) +
-                                " % of the sum of their volumes); a shell is a cavity if its triangles are reversed");
+                                " % of its volume); a shell is a cavity if its triangles are reversed");
   if (whole > 0) {
     double volume = 0;
     const auto& x = filled.file.mesh.positions;

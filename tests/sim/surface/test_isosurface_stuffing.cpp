@@ -138,7 +138,7 @@ TEST_CASE("overlapping shells are one body, separate shells are several, an inve
 
   const Filling overlapping = fill(test::joined(ball, test::make_sphere(24, 48, 0.05, {0.06, 0, 0})), 20);
   CHECK(overlapping.report.components == 1);
-  CHECK(has_note(overlapping.filled, "shells overlap"));
+  CHECK(has_note(overlapping.filled, "the surface overlaps itself"));
   CHECK_FALSE(has_note(overlapping.filled, "thinner than the lattice"));
   // Two spheres at distance d share a lens of pi (4 R + d) (2 R - d)^2 / 12.
   const double lens = std::numbers::pi * (0.2 + 0.06) * std::pow(0.1 - 0.06, 2) / 12;
