@@ -20,10 +20,11 @@ using Eigen::VectorXd;
 
 constexpr std::size_t kMostTets = 20000;  // whose factorization takes less than half a second
 
-// What the weight may do to a body. At a strain of 0.05 every law is still close to linear. In a column under its own
-// weight, a sway of 0.25 leaves a factor of four to the load that buckles it (Greenhill 1881).
+// What the weight may do to a body. At a strain of 0.05 every law is still close to linear. A body that turns over an
+// elastic foot by m g h / k under gravity from the side topples under its weight where that is 1: a sway of 0.25 leaves
+// a factor of four. So it does to the weight that buckles a column (Greenhill 1881).
 constexpr double kStrain = 0.05, kPeak = 0.3, kSag = 0.1, kSway = 0.25;
-constexpr double kShareAbove = 0.01;  // of the volume, in WeightResponse::strain
+constexpr double kShareAbove = 0.01;  // of the volume: specks and tips that hang on an edge move freely, and may
 
 Model model_of(const HeldBody& body, const Material& material) {
   Model model;
@@ -65,8 +66,6 @@ HeldBody coarser(const HeldBody& body) {
   return copy;
 }
 
-double size_of(const HeldBody& body) { return bulk_of(body.positions, body.tets).box.sizes().maxCoeff(); }
-
 /// Of a body that linear elasticity says nothing about: as that of a column as high as the body.
 WeightResponse response_of_column(const HeldBody& body, double weight_density) {
   const double strain = weight_density * bulk_of(body.positions, body.tets).box.sizes().y();
@@ -101,10 +100,18 @@ Strains strains_of(const HeldBody& body, const VectorXd& u) {
   return strains;
 }
 
-double largest_displacement(const VectorXd& u) {
-  double largest = 0;
-  for (Eigen::Index v = 0; v < u.size(); v += 3) largest = std::max(largest, u.segment<3>(v).norm());
-  return largest;
+/// That which kShareAbove of the mass exceeds.
+double high_displacement(const VectorXd& u, const std::vector<double>& masses) {
+  std::vector<std::pair<double, double>> length_mass;
+  double left = 0;
+  for (std::size_t v = 0; v < masses.size(); ++v) {
+    length_mass.emplace_back(u.segment<3>(3 * static_cast<Eigen::Index>(v)).norm(), masses[v]);
+    left += kShareAbove * masses[v];
+  }
+  std::sort(length_mass.rbegin(), length_mass.rend());
+  for (const auto& [length, mass] : length_mass)
+    if ((left -= mass) <= 0) return length;
+  return 0;
 }
 
 WeightResponse solve(const HeldBody& body, const Material& material, double gravity) {
@@ -127,12 +134,12 @@ WeightResponse solve(const HeldBody& body, const Material& material, double grav
     system.add_to_free(factor.solve(system.free_part(force)), 1, u);
     return u;
   };
-  const double size = size_of(body);
+  const Vector3d size = bulk_of(body.positions, body.tets).box.sizes();
   const VectorXd down = displacement(-gravity * Vector3d::UnitY());
   const Strains strains = strains_of(body, down);
-  WeightResponse response{strains.high, strains.peak, largest_displacement(down) / size, 0};
+  WeightResponse response{strains.high, strains.peak, high_displacement(down, masses) / size.maxCoeff(), 0};
   for (const Vector3d& side : {Vector3d(1, 0, 0), Vector3d(0, 0, 1)})
-    response.sway = std::max(response.sway, largest_displacement(displacement(gravity * side)) / size);
+    response.sway = std::max(response.sway, high_displacement(displacement(gravity * side), masses) / size.y());
   return std::isfinite(response.strain + response.peak + response.sag + response.sway) ? response : unknown;
 }
 

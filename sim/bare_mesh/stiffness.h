@@ -19,8 +19,10 @@ struct HeldBody {
 struct WeightResponse {
   double strain = 0;  // [-] Frobenius norm that a hundredth of the volume exceeds
   double peak = 0;    // [-] the largest one
-  double sag = 0;     // [-] the largest displacement over the size of the body's box
-  double sway = 0;    // [-] the same under gravity from the side; near 1 a slender column buckles under its own weight
+  double sag = 0;     // [-] displacement that a hundredth of the mass exceeds, over the size of the body's box
+  // [-] the same displacement under gravity from the side over the height; near 1 a column buckles under its own
+  // weight, and a body that lies on a narrow strip rolls off it
+  double sway = 0;
 };
 
 /// `material` without its modulus; `gravity` [m/s^2]. Meshes of more than some 20,000 tets are replaced by a coarser

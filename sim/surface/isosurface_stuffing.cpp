@@ -52,10 +52,24 @@ class Filler {
     }
     out_.spacing = lattice_.spacing;
     out_.whole = kept_.size();
+    if (!kept_.empty()) out_.apart = count_apart();
     return std::move(out_);
   }
 
  private:
+  std::size_t count_apart() const {
+    std::vector<char> joined(lattice_.point_count(), 0);
+    lattice_.for_tets([&](const Tet& tet, std::size_t) {
+      if (std::any_of(tet.begin(), tet.end(), [&](std::uint32_t point) { return now_[point] == inside; }))
+        for (const std::uint32_t point : tet) joined[point] = 1;
+    });
+    const auto is_apart = [&](const auto& kept) {
+      return std::none_of(kept.second.begin(), kept.second.end(),
+                          [&](std::uint32_t point) { return joined[point] != 0; });
+    };
+    return static_cast<std::size_t>(std::count_if(kept_.begin(), kept_.end(), is_apart));
+  }
+
   struct Cut {
     std::uint32_t in, out;  // lattice points
     double share;           // of the edge, from `in`

@@ -16,6 +16,7 @@ struct LatticeFill {
   std::vector<Tet> tets;                   // positive volume
   double spacing = 0;                      // of the lattice [m]
   std::size_t whole = 0;                   // tets kept whole because the surface is too thin there
+  std::size_t apart = 0;                   // of those: touch no tet with a vertex inside, as along a vessel
 };
 
 /// Bounds of every filling in degrees. The fillings of the tests are between 10.7 and 158.

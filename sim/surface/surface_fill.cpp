@@ -41,6 +41,22 @@ std::string remedy_for_thin_parts(const SurfaceReport& report, int resolution) {
          " tets)";
 }
 
+/// How often the surface encloses its inside, on average. Where it overlaps itself the report adds up volume
+/// that is filled once.
+double multiplicity(const TriangleTree& surface, const std::vector<Eigen::Vector3d>& x, const std::vector<Tet>& tets) {
+  constexpr std::size_t kSamples = 2000;
+  double inside = 0, enclosed = 0;
+  for (std::size_t t = 0; t < tets.size(); t += 1 + tets.size() / kSamples) {
+    const Tet& v = tets[t];
+    const double winding = std::round(surface.winding((x[v[0]] + x[v[1]] + x[v[2]] + x[v[3]]) / 4));
+    if (winding < 1) continue;
+    const double volume = signed_volume6(x[v[0]], x[v[1]], x[v[2]], x[v[3]]);
+    inside += volume;
+    enclosed += winding * volume;
+  }
+  return inside > 0 ? enclosed / inside : 1;
+}
+
 MeshFile as_mesh(LatticeFill fill) {
   MeshFile file;
   file.format = "tets in a surface";
@@ -65,29 +81,36 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
                 "a resolution of " + std::to_string(filled.resolution) + " makes about " + number(expected / 1e6) +
                     " million tets",
                 "expected at most " + std::to_string(resolution_for(found, kMostTets)) + " for this surface");
-  LatticeFill fill = fill_inside(TriangleTree(filled.repaired.positions, filled.repaired.triangles),
-                                 filled.repaired.balanced, filled.resolution, part_of(progress, 0.2, 1));
+  const TriangleTree tree(filled.repaired.positions, filled.repaired.triangles);
+  LatticeFill fill = fill_inside(tree, filled.repaired.balanced, filled.resolution, part_of(progress, 0.2, 1));
   if (fill.tets.empty())
     throw Error(where, "holds no tet at a resolution of " + std::to_string(filled.resolution), "expected a higher one");
-  const std::size_t whole = fill.whole;
+  const std::size_t whole = fill.whole, apart = fill.apart;
+  const double overlap = multiplicity(tree, fill.positions, fill.tets);
   filled.file = as_mesh(std::move(fill));
   filled.file.notes = notes_of(found);
   filled.file.notes.insert(filled.file.notes.begin(), surface.notes.begin(), surface.notes.end());
   filled.notes_of_surface = std::ssize(filled.file.notes);
+  constexpr double kOverlap = 1.005;
+  if (overlap > kOverlap)
+    filled.file.notes.push_back("the surface overlaps itself, and what it encloses several times is filled once (" +
+                                number(100 * (1 - 1 / overlap)) +
+                                " % of its volume); a shell is a cavity if its triangles are reversed");
   if (whole > 0) {
     double volume = 0;
     const auto& x = filled.file.mesh.positions;
     for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
-    // A sharp edge is thinner than any lattice: only a visible difference is reported.
+    // A sharp edge is thinner than any lattice: only a visible difference is reported, and a part as long as a cell.
     constexpr double kVolume = 0.02, kShare = 0.1;
+    constexpr std::size_t kApart = 12;  // tets of a cell
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
-    const bool notable = std::abs(volume / found.volume - 1) > kVolume || share > kShare;
+    const double ratio = overlap * volume / found.volume;
+    const bool notable = std::abs(ratio - 1) > kVolume || share > kShare || apart >= kApart;
     if (notable)
-      filled.file.notes.push_back("parts are thinner than the lattice's cells, 1/" + std::to_string(filled.resolution) +
-                                  " of the longest side: " + plural(whole, "tet") +
-                                  " kept whole there, the tets have " + number(volume / found.volume) +
-                                  " times the volume of the surface; " +
-                                  remedy_for_thin_parts(found, filled.resolution));
+      filled.file.notes.push_back(
+          "parts are thinner than the lattice's cells, 1/" + std::to_string(filled.resolution) +
+          " of the longest side: " + plural(whole, "tet") + " kept whole there, the tets have " + number(ratio) +
+          " times the volume of the surface; " + remedy_for_thin_parts(found, filled.resolution));
   }
   put_right(surface, filled.repaired);
   filled.surface = std::move(surface);

@@ -1,6 +1,7 @@
 #include "sim/mesh/io/foreign_formats.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 namespace fascia {
@@ -51,6 +52,8 @@ const Row* find_row(string_view content, string_view ending) {
       {{"a Nastran deck", kGmsh}, {}, {"BEGIN BULK"sv, "\nGRID"sv, "\nCTETRA"sv}, {".bdf"sv, ".nas"sv}},
       {{"a universal file (I-DEAS)", kGmsh}, {}, {}, {".unv"sv}},
       {{"a binary Medit mesh", kGmsh}, {"\1\0\0\0"sv, "\0\0\0\1"sv}, {}, {".meshb"sv}},
+      {{"a gzip archive", "gunzip unpacks it"}, {"\x1f\x8b"sv}, {}, {}},
+      {{"a ZIP archive", "unzip unpacks it"}, {"PK\3\4"sv}, {}, {}},
       {{"an Ansys archive", "FEBio Studio opens it and saves a .feb"}, {"/COM"sv, "/PREP7"sv}, {}, {".cdb"sv}},
   };
   const auto any = [](std::initializer_list<string_view> texts, auto fits) {
@@ -75,6 +78,17 @@ std::optional<ForeignFormat> foreign_format(string_view content, const std::stri
   const Row* const row = find_row(content, nifti ? ".nii" : string_view(ending));
   if (!row) return std::nullopt;
   return row->format;
+}
+
+std::string way_of_vtk_dataset(string_view kind) {
+  constexpr std::array images = {"STRUCTURED_POINTS"sv, "ImageData"sv, "PImageData"sv};
+  constexpr std::array others = {"STRUCTURED_GRID"sv,      "RECTILINEAR_GRID"sv, "StructuredGrid"sv,
+                                 "RectilinearGrid"sv,      "PPolyData"sv,        "PUnstructuredGrid"sv,
+                                 "vtkMultiBlockDataSet"sv, "Collection"sv};
+  const auto is_kind = [&](string_view known) { return kind == known; };
+  if (std::any_of(images.begin(), images.end(), is_kind)) return std::string("; ") + kSlicer;
+  if (std::any_of(others.begin(), others.end(), is_kind)) return std::string("; ") + kParaView;
+  return "";
 }
 
 }  // namespace fascia

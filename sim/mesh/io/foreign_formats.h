@@ -14,4 +14,8 @@ struct ForeignFormat {
 /// By the first bytes, or by the ending (lower case, with the dot) where those do not tell.
 std::optional<ForeignFormat> foreign_format(std::string_view content, const std::string& ending);
 
+/// The end of an error about a kind of VTK dataset, as legacy or XML files name it, that fascia does not read: "; " and
+/// the way, or nothing.
+std::string way_of_vtk_dataset(std::string_view kind);
+
 }  // namespace fascia

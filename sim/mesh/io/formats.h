@@ -19,7 +19,6 @@ void read_gmsh(Scanner& in, MeshFile& file);
 void read_vtk_legacy(Scanner& in, MeshFile& file);
 void read_vtu(Scanner& in, MeshFile& file);
 void read_medit(Scanner& in, MeshFile& file);
-void read_abaqus(Scanner& in, MeshFile& file);
 void read_febio(Scanner& in, MeshFile& file);
 void read_off(Scanner& in, MeshFile& file);
 void read_ply(Scanner& in, MeshFile& file);
@@ -30,7 +29,8 @@ bool is_stl_binary(std::string_view content);
 /// Returns the content of a file by its name, in the folder of the file that is read. Throws Error.
 using ReadBeside = std::function<std::string(const std::string& name)>;
 
-/// Files that it includes are read by `read_beside`.
+/// Files that they include are read by `read_beside`.
+void read_abaqus(Scanner& in, MeshFile& file, const ReadBeside& read_beside);
 void read_vega(Scanner& in, MeshFile& file, const ReadBeside& read_beside);
 /// `path` is the .node or the .ele file and `content` its content; the other file is read, from disk if `read_beside`
 /// is empty.
@@ -55,7 +55,8 @@ std::string tetgen_node_text(const TetMesh& mesh);
 std::string tetgen_ele_text(const TetMesh& mesh);
 
 /// Of every reader that finds cells with nodes between their corners.
-inline constexpr const char* kHigherOrderNote = "Cells of higher order: kept the corners of each.";
+inline constexpr const char* kHigherOrderNote =
+    "Cells of higher order: kept the corners of each; elements=quadratic keeps all nodes of quadratic tets.";
 
 /// Adds a cell that is not a tet to `ignored`, by its dimension and number of corners.
 void count_ignored(MeshFile& file, int dimension, int corners, std::size_t cells = 1);

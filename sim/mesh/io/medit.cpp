@@ -86,7 +86,7 @@ class MeditReader {
   void read_cells(const Kind& kind) {
     const std::size_t count = in_.count("cells", 2 * (kind.nodes + 1));
     const auto vertex_count = static_cast<std::int64_t>(file_.mesh.positions.size());
-    std::vector<std::uint32_t> corners(kind.corners);
+    std::vector<std::uint32_t> corners(kind.corners), others(kind.nodes - kind.corners);
     for (std::size_t c = 0; c < count; ++c) {
       for (std::size_t i = 0; i < kind.nodes; ++i) {
         const auto vertex = in_.number<std::int64_t>("a vertex of a cell");
@@ -94,11 +94,13 @@ class MeditReader {
           in_.fail(std::string(kind.name) + " " + std::to_string(c + 1) + " names vertex " + std::to_string(vertex),
                    "expected 1 to " + std::to_string(vertex_count));
         }
-        if (i < kind.corners) corners[i] = static_cast<std::uint32_t>(vertex - 1);
+        (i < kind.corners ? corners[i] : others[i - kind.corners]) = static_cast<std::uint32_t>(vertex - 1);
       }
       const int region = in_.number<int>("the reference of a cell");
       if (kind.dimension == 3) {
         add_solid(file_, corners);
+        if (kind.corners == 4 && kind.nodes == 10)
+          set_mid_edges(file_, {others[0], others[1], others[2], others[3], others[4], others[5]});
         file_.mesh.regions.resize(file_.mesh.tets.size(), region);
       } else if (kind.dimension == 2) {
         add_face(file_, corners);

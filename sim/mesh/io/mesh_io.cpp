@@ -51,6 +51,8 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content, const
   Scanner in(path.string(), content);
   const std::string_view text = content.substr(in.offset());
 
+  const ReadBeside read_other =
+      read_beside ? read_beside : [&](const std::string& name) { return read_file(path.parent_path() / name); };
   Scanner peek = in;
   peek.skip_comments();
   const std::string_view word = in.peek_word();
@@ -70,11 +72,9 @@ MeshFile read_mesh_content(const fs::path& path, std::string_view content, const
   } else if (word == "*KEYWORD") {
     refuse(path, text);
   } else if (peek.peek_word() == "*VERTICES" || ending == ".veg") {
-    read_vega(
-        in, file,
-        read_beside ? read_beside : [&](const std::string& name) { return read_file(path.parent_path() / name); });
+    read_vega(in, file, read_other);
   } else if (word.starts_with("*")) {
-    read_abaqus(in, file);
+    read_abaqus(in, file, read_other);
   } else if (peek.peek_word().starts_with("MeshVersionFormatted")) {
     read_medit(in, file);
   } else if (word == "ply") {

@@ -137,6 +137,13 @@ TEST_CASE("the weight strains the body by some percent, whatever its size") {
   CHECK_THAT(cube.stiffness_reason, Catch::StartsWith("its weight strains it by 5"));
 }
 
+TEST_CASE("a speck that can turn does not make the body stiff") {
+  const TetMesh cube = make_box(5, 5, 5, {0.1, 0.1, 0.1});
+  const BareMeshPlan plan = plan_of(together(cube, make_ball(0.003, 2), {0.2, 0.05, 0.05}));
+  REQUIRE(support_of(plan).each_piece);
+  CHECK(plan.young_modulus == Approx(plan_of(cube).young_modulus).epsilon(0.1));
+}
+
 TEST_CASE("a column is so stiff that its weight does not buckle it") {
   const double h = 0.5, w = 0.1;
   const BareMeshPlan plan = plan_of(make_box(4, 20, 4, {w, h, w}));

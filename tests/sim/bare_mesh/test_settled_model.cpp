@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "sim/bare_mesh/plan.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/reference/newton.h"
 #include "tests/support/bare_shapes.h"
 #include "tests/support/support.h"
 
@@ -83,4 +84,24 @@ TEST_CASE("a mesh opened alone has the tissue law if the method carries it, and 
   Scene scene = open_scene(mesh.path);
   settled_model(scene);
   CHECK(scene_to_json(scene, mesh.folder.path()).find(R"("model": "squared")") != std::string::npos);
+}
+
+TEST_CASE("a rod that lies on a line of its flank does not roll off it") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "rod.msh";
+  const double radius = 0.01;
+  TetMesh rod = make_cone(radius, 0.3, 1, 2, 40);
+  for (Eigen::Vector3d& p : rod.positions)  // the lowest of its eight edges winds to both sides
+    p = Eigen::AngleAxisd(0.23 * std::cos(40 * p.y()), Eigen::Vector3d::UnitY()) * p;
+  write_mesh(path, turned(rod, 2));
+  Scene scene = open_scene(path);
+  const Model model = settled_model(scene);
+  reference::NewtonSolver solver(model, scene.solver);
+  State state = initial_state(model);
+  for (int step = 0; step < 60; ++step) solver.step(state);
+  double mass = 0;
+  for (const double m : lumped_masses(model)) mass += m;
+  const double sunk = -reference::measure(model, state).gravitational / (mass * scene.gravity.norm());
+  CHECK(sunk < 0.1 * radius);
+  CHECK(sunk > 0);
 }

@@ -117,6 +117,15 @@ TEST_CASE("a plate thinner than the lattice stays in one piece, is covered and i
   CHECK(drawn.farthest < 0.5 * f.spacing);
 }
 
+TEST_CASE("a thin vessel beside a thick body is noted, although it has hardly any volume", "[lattice]") {
+  const SurfaceMesh ball = test::make_sphere(24, 48, 0.05);
+  SurfaceMesh vessel = test::make_box_surface({0.001, 0.1, 0.001});
+  for (Vector3d& p : vessel.positions) p.y() += 0.09;
+  const Filling f = fill(test::joined(ball, vessel), 20);
+  CHECK(f.report.volume == Approx(test::enclosed_volume(ball)).epsilon(0.02));
+  CHECK(has_note(f.filled, "thinner than the lattice"));
+}
+
 TEST_CASE("a few tets kept whole in a thin tip do not cause a note", "[lattice]") {
   const Filling f = fill(read_obj(std::filesystem::path(FASCIA_SOURCE_DIR) / "assets/meshes/kidney.obj"), 24);
   CHECK_FALSE(has_note(f.filled, "thinner than the lattice"));
@@ -129,6 +138,8 @@ TEST_CASE("overlapping shells are one body, separate shells are several, an inve
 
   const Filling overlapping = fill(test::joined(ball, test::make_sphere(24, 48, 0.05, {0.06, 0, 0})), 20);
   CHECK(overlapping.report.components == 1);
+  CHECK(has_note(overlapping.filled, "the surface overlaps itself"));
+  CHECK_FALSE(has_note(overlapping.filled, "thinner than the lattice"));
   // Two spheres at distance d share a lens of pi (4 R + d) (2 R - d)^2 / 12.
   const double lens = std::numbers::pi * (0.2 + 0.06) * std::pow(0.1 - 0.06, 2) / 12;
   CHECK(std::abs(overlapping.report.volume - (2 * outer - lens)) < volume_tolerance(overlapping, 0.05) + 0.02 * lens);

@@ -1,17 +1,24 @@
 // Abaqus and CalculiX .inp: keyword lines that begin with '*', then lines of values with commas. Nodes, elements, sets
 // and solid sections are read; the sections' sets of elements are the regions, or else the sets that *ELEMENT names.
-// A part may be placed by one *INSTANCE.
+// A part may be placed by one *INSTANCE. Files that *INCLUDE or INPUT= names are read in their place.
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "sim/mesh/io/fem/fem_mesh.h"
+#include "sim/mesh/io/fem/included_files.h"
 
 namespace fascia {
 namespace {
+
+constexpr const char* kOfAssembly = " (assembly)";  // behind the name of a set whose name a set of the part has
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\"");
@@ -74,48 +81,66 @@ std::optional<FemElement> abaqus_element(const std::string& type) {
 
 class AbaqusReader {
  public:
-  AbaqusReader(Scanner& in, MeshFile& file) : in_(in), file_(file), mesh_(file) {}
+  AbaqusReader(Scanner& in, MeshFile& file, const ReadBeside& read_beside)
+      : in_(&in), file_(file), mesh_(file), included_(in.where(), read_beside) {}
 
   void read() {
     file_.format = "Abaqus";
-    in_.skip_commas();
-    while (in_.remaining() > 0) {
-      if (!at_keyword()) {
-        in_.line();  // values of a keyword that is passed over, blank lines, comments
-        continue;
-      }
-      in_.blame(in_.offset());
-      read_keyword(keyword_line());
-    }
-    in_.set_section("");
-    if (file_.mesh.positions.empty()) in_.fail("has no nodes", "expected *NODE" + includes_);
+    in_->skip_commas();
+    read_keywords();
+    in_->set_section("");
+    if (file_.mesh.positions.empty()) in_->fail("has no nodes", "expected *NODE");
     name_regions();
-    note_includes();
-    note_cut_off(in_, file_);
+    if (own_nodes_)
+      file_.notes.push_back("Nodes of the assembly, which belong to no part, and sets of them are left out.");
+    note_cut_off(*in_, file_);
     place();
-    mesh_.finish(in_.where());
+    mesh_.finish(in_->where());
   }
 
  private:
   using Of = FemMesh::Of;
 
-  char next() const { return in_.remaining() > 0 ? in_.data()[in_.offset()] : '\0'; }
-  bool at_comment() const { return in_.data().substr(in_.offset()).starts_with("**"); }
+  char next() const { return in_->remaining() > 0 ? in_->data()[in_->offset()] : '\0'; }
+  bool at_comment() const { return in_->data().substr(in_->offset()).starts_with("**"); }
   bool at_keyword() const { return next() == '*' && !at_comment(); }
+
+  void read_keywords() {
+    while (in_->remaining() > 0) {
+      if (!at_keyword()) {
+        in_->line();  // values of a keyword that is passed over, blank lines, comments
+        continue;
+      }
+      in_->blame(in_->offset());
+      read_keyword(keyword_line());
+    }
+  }
+
+  /// Calls read() with in_ at the beginning of the file that a parameter INPUT names.
+  template <class Read>
+  void read_other(const Keyword& keyword, Read read) {
+    Scanner& other = included_.open(*in_, keyword.value("INPUT"));
+    Scanner* const outer = std::exchange(in_, &other);
+    in_->skip_commas();
+    in_->set_section("*" + keyword.name);
+    read();
+    note_cut_off(*in_, file_);
+    in_ = outer;
+  }
 
   /// At the beginning of the next line of values; false before a keyword and at the end.
   bool at_values() {
-    while (in_.remaining() > 0 && !at_keyword()) {
-      if (!at_comment() && !in_.at_line_end()) return true;
-      in_.line();
+    while (in_->remaining() > 0 && !at_keyword()) {
+      if (!at_comment() && !in_->at_line_end()) return true;
+      in_->line();
     }
     return false;
   }
 
   Keyword keyword_line() {
     std::string text;
-    for (bool goes_on = true; goes_on && in_.remaining() > 0;) {
-      const std::string_view line = in_.line();
+    for (bool goes_on = true; goes_on && in_->remaining() > 0;) {
+      const std::string_view line = in_->line();
       text += line;
       goes_on = trimmed(line).ends_with(',') && !at_keyword();
     }
@@ -136,70 +161,75 @@ class AbaqusReader {
   }
 
   void read_keyword(const Keyword& keyword) {
-    in_.set_section("*" + keyword.name);
-    if (keyword.name == "NODE") return read_nodes(keyword);
-    if (keyword.name == "ELEMENT") return read_elements(keyword);
+    in_->set_section("*" + keyword.name);
+    if (keyword.name == "ASSEMBLY" || keyword.name == "END ASSEMBLY") return begin_assembly(keyword.name == "ASSEMBLY");
+    if (keyword.name == "NODE" || keyword.name == "ELEMENT") {
+      own_nodes_ |= in_assembly_;  // reference points, whose numbers are not those of the part
+      if (in_assembly_) return;
+      require_rectangular(keyword);
+      const auto values = [&] { keyword.name == "NODE" ? read_nodes(keyword) : read_elements(keyword); };
+      if (keyword.has("INPUT")) read_other(keyword, values);
+      return values();
+    }
     if (keyword.name == "NSET") return read_set(keyword, Of::nodes);
     if (keyword.name == "ELSET") return read_set(keyword, Of::elements);
     if (keyword.name == "SOLID SECTION" && !keyword.value("ELSET").empty())
       return sections_.push_back(known_name(Of::elements, keyword.value("ELSET")));
-    if (keyword.name == "INCLUDE") return add_include(keyword);
+    if (keyword.name == "INCLUDE") return read_other(keyword, [&] { read_keywords(); });
     if (keyword.name == "INSTANCE") return read_instance();
     if (keyword.name == "PART" && ++parts_ > 1 && !file_.mesh.positions.empty())
-      in_.fail("is the second part", "expected one: export the parts as one, or each in a file of its own");
+      in_->fail("is the second part", "expected one: export the parts as one, or each in a file of its own");
   }
 
-  void add_include(const Keyword& keyword) {
-    includes_ += (includes_.empty() ? "; *INCLUDE is not followed: insert " : ", ") + in_quotes(keyword.value("INPUT"));
+  void begin_assembly(bool begins) {
+    in_assembly_ = begins && parts_ > 0;
+    for (const auto& [key, name] : spelled_) of_part_.insert(key.second);
   }
 
-  void require_values_here(const Keyword& keyword) {
-    if (keyword.has("INPUT")) add_include(keyword);
+  void require_rectangular(const Keyword& keyword) {
     const std::string system = upper_case(keyword.value("SYSTEM"));
     if (!system.empty() && system != "R")
-      in_.fail("coordinates are in system " + in_quotes(system), "expected R, rectangular ones");
+      in_->fail("coordinates are in system " + in_quotes(system), "expected R, rectangular ones");
   }
 
   void read_nodes(const Keyword& keyword) {
-    require_values_here(keyword);
     const std::string name = keyword.value("NSET");
     std::vector<FemRange>* const set = name.empty() ? nullptr : &set_of(Of::nodes, name);
     while (at_values()) {
-      const auto number = in_.number_on_line<std::int64_t>("a node number");
+      const auto number = in_->number_on_line<std::int64_t>("a node number");
       Eigen::Vector3d x;
-      for (int k = 0; k < 3; ++k) x[k] = in_.coordinate_on_line("a node coordinate");
-      mesh_.add_node(in_, number, x);
+      for (int k = 0; k < 3; ++k) x[k] = in_->coordinate_on_line("a node coordinate");
+      mesh_.add_node(*in_, number, x);
       if (set) set->push_back({number, number, 1});
-      in_.line();  // Abaqus allows a normal behind the coordinates
+      in_->line();  // Abaqus allows a normal behind the coordinates
     }
   }
 
   /// A line of values goes on in the next one if it ends with a comma.
   void continue_line() {
-    if (!in_.at_line_end()) return;
-    const std::string_view before = in_.data().substr(0, in_.offset());
+    if (!in_->at_line_end()) return;
+    const std::string_view before = in_->data().substr(0, in_->offset());
     const std::size_t last = before.find_last_not_of(" \t\r");
-    if (last != before.npos && before[last] == ',') in_.line();
+    if (last != before.npos && before[last] == ',') in_->line();
   }
 
   void read_elements(const Keyword& keyword) {
-    require_values_here(keyword);
     const std::string type = upper_case(keyword.value("TYPE"));
-    if (type.empty()) in_.fail("has no TYPE", "expected one such as TYPE=C3D4");
+    if (type.empty()) in_->fail("has no TYPE", "expected one such as TYPE=C3D4");
     const FemElement kind = abaqus_element(type).value_or(FemElement{3, 0, 0});
     const std::string name = keyword.value("ELSET");
     std::vector<FemRange>* const set = name.empty() ? nullptr : &set_of(Of::elements, name);
     if (set && kind.dimension == 3) add_block(known_name(Of::elements, name));
     std::vector<std::int64_t> nodes(kind.nodes);
     while (at_values()) {
-      const auto number = in_.number_on_line<std::int64_t>("an element number");
+      const auto number = in_->number_on_line<std::int64_t>("an element number");
       for (std::int64_t& node : nodes) {
         continue_line();
-        node = in_.number_on_line<std::int64_t>("a node of an element");
+        node = in_->number_on_line<std::int64_t>("a node of an element");
       }
-      mesh_.add_element(in_, kind, number, nodes, 0);
+      mesh_.add_element(*in_, kind, number, nodes, 0);
       if (kind.nodes > 0) {
-        in_.end_line("the nodes of an element");
+        in_->end_line("the nodes of an element");
       } else {
         skip_record();
       }
@@ -208,71 +238,78 @@ class AbaqusReader {
   }
 
   void skip_record() {
-    while (trimmed(in_.line()).ends_with(',') && at_values()) {
+    while (trimmed(in_->line()).ends_with(',') && at_values()) {
     }
   }
 
   void read_set(const Keyword& keyword, Of of) {
     const std::string name = keyword.value(of == Of::nodes ? "NSET" : "ELSET");
-    if (name.empty()) in_.fail("has no name", of == Of::nodes ? "expected NSET=NAME" : "expected ELSET=NAME");
-    if (of == Of::nodes && keyword.has("ELSET"))
-      file_.notes.push_back("Set " + in_quotes(name) + " is of the nodes of an element set and is left out.");
+    if (name.empty()) in_->fail("has no name", of == Of::nodes ? "expected NSET=NAME" : "expected ELSET=NAME");
+    if (of == Of::nodes && keyword.has("ELSET"))  // of the nodes of these elements, which the group of a set has
+      return add_set(set_of(Of::elements, name), Of::elements, keyword.value("ELSET"));
+    const bool numbers_of_part = !in_assembly_ || !own_nodes_ || keyword.has("INSTANCE");
     std::vector<FemRange>& set = set_of(of, name);
-    if (keyword.has("GENERATE")) return read_generated(set);
+    std::vector<FemRange> left_out;
+    if (keyword.has("GENERATE")) return read_generated(numbers_of_part ? set : left_out);
     while (at_values()) {
-      while (!in_.at_line_end()) {
-        const std::string_view word = in_.peek_word();
-        if (std::isdigit(static_cast<unsigned char>(word[0]))) {
-          const auto number = in_.number_on_line<std::int64_t>("a member of a set");
-          set.push_back({number, number, 1});
+      while (!in_->at_line_end()) {
+        const std::string_view word = in_->peek_word();
+        const std::size_t behind = word.rfind('.') + 1;  // "instance.member"
+        const bool of_instance = in_assembly_ && behind > 0 && behind < word.size() && !is_digit(word[0]);
+        if (of_instance) in_->seek(in_->offset() + behind);
+        if (is_digit(word[of_instance ? behind : 0])) {
+          const auto number = in_->number_on_line<std::int64_t>("a member of a set");
+          if (numbers_of_part || of_instance) set.push_back({number, number, 1});
         } else {
-          add_set(set, of, std::string(in_.word("a set")));
+          add_set(set, of, std::string(in_->word("a set")));
         }
       }
-      in_.line();
+      in_->line();
     }
   }
 
   void add_set(std::vector<FemRange>& set, Of of, const std::string& name) {
-    const std::vector<FemRange>* const other = mesh_.find(of, known_name(of, trimmed(name)));
+    const std::vector<FemRange>* other =
+        in_assembly_ ? mesh_.find(of, known_name(of, trimmed(name) + kOfAssembly)) : nullptr;
+    if (!other) other = mesh_.find(of, known_name(of, trimmed(name)));
     if (!other || other == &set)
-      in_.fail("names " + in_quotes(name), "expected a number or the name of an earlier set");
+      in_->fail("names " + in_quotes(name), "expected a number or the name of an earlier set");
     set.insert(set.end(), other->begin(), other->end());
     members_ += other->size();
-    if (members_ > 4 * in_.data().size())  // sets of sets can double with every line
-      in_.fail("sets of sets have " + std::to_string(members_) + " members", "expected no more than four a byte");
+    if (members_ > 4 * in_->data().size())  // sets of sets can double with every line
+      in_->fail("sets of sets have " + std::to_string(members_) + " members", "expected no more than four a byte");
   }
 
   void read_generated(std::vector<FemRange>& set) {
     while (at_values()) {
       FemRange range{0, 0, 1};
-      range.first = in_.number_on_line<std::int64_t>("the first member");
-      range.last = in_.number_on_line<std::int64_t>("the last member");
-      if (!in_.at_line_end()) range.step = in_.number_on_line<std::int64_t>("the step");
-      if (range.step < 1) in_.fail("step is " + std::to_string(range.step), "expected 1 or more");
+      range.first = in_->number_on_line<std::int64_t>("the first member");
+      range.last = in_->number_on_line<std::int64_t>("the last member");
+      if (!in_->at_line_end()) range.step = in_->number_on_line<std::int64_t>("the step");
+      if (range.step < 1) in_->fail("step is " + std::to_string(range.step), "expected 1 or more");
       if (range.last < range.first)
-        in_.fail("goes from " + std::to_string(range.first) + " to " + std::to_string(range.last), "expected upward");
+        in_->fail("goes from " + std::to_string(range.first) + " to " + std::to_string(range.last), "expected upward");
       set.push_back(range);
-      in_.end_line("the step");
+      in_->end_line("the step");
     }
   }
 
   /// The placement of a part: a line with a translation, then one with two points of an axis and an angle [degrees].
   void read_instance() {
     if (++instances_ > 1)
-      in_.fail("is the second instance", "expected one: export the parts as one, or each in a file of its own");
+      in_->fail("is the second instance", "expected one: export the parts as one, or each in a file of its own");
     if (!at_values()) return;
     Eigen::Vector3d shift, from, to;
-    for (int k = 0; k < 3; ++k) shift[k] = in_.coordinate_on_line("a translation");
-    in_.end_line("the translation");
+    for (int k = 0; k < 3; ++k) shift[k] = in_->coordinate_on_line("a translation");
+    in_->end_line("the translation");
     placement_.translation() = shift;
     if (!at_values()) return;
-    for (int k = 0; k < 3; ++k) from[k] = in_.coordinate_on_line("a point of the axis");
-    for (int k = 0; k < 3; ++k) to[k] = in_.coordinate_on_line("a point of the axis");
-    const double angle = in_.coordinate_on_line("the angle") * std::numbers::pi / 180;
-    in_.end_line("the angle");
+    for (int k = 0; k < 3; ++k) from[k] = in_->coordinate_on_line("a point of the axis");
+    for (int k = 0; k < 3; ++k) to[k] = in_->coordinate_on_line("a point of the axis");
+    const double angle = in_->coordinate_on_line("the angle") * std::numbers::pi / 180;
+    in_->end_line("the angle");
     const Eigen::Vector3d axis = to - from;
-    if (!(axis.norm() > 0)) in_.fail("the axis of the rotation has no length", "expected two points");
+    if (!(axis.norm() > 0)) in_->fail("the axis of the rotation has no length", "expected two points");
     const Eigen::Translation3d origin(from);
     placement_ = origin * Eigen::AngleAxisd(angle, axis.normalized()) * origin.inverse() * Eigen::Translation3d(shift);
   }
@@ -281,7 +318,7 @@ class AbaqusReader {
     if (placement_.matrix().isIdentity(0)) return;
     for (Eigen::Vector3d& x : file_.mesh.positions) {
       x = placement_ * x;
-      if (!x.allFinite()) in_.fail("a node of the instance is not finite", "expected a finite placement");
+      if (!x.allFinite()) in_->fail("a node of the instance is not finite", "expected a finite placement");
     }
   }
 
@@ -289,7 +326,10 @@ class AbaqusReader {
   std::string known_name(Of of, const std::string& name) {
     return spelled_.try_emplace({of, upper_case(name)}, name).first->second;
   }
-  std::vector<FemRange>& set_of(Of of, const std::string& name) { return mesh_.set(in_, of, known_name(of, name)); }
+  std::vector<FemRange>& set_of(Of of, const std::string& name) {
+    const bool taken = in_assembly_ && of_part_.contains(upper_case(name));
+    return mesh_.set(*in_, of, known_name(of, taken ? name + kOfAssembly : name));
+  }
 
   void add_block(const std::string& name) {
     if (std::find(blocks_.begin(), blocks_.end(), name) == blocks_.end()) blocks_.push_back(name);
@@ -303,23 +343,23 @@ class AbaqusReader {
     }
   }
 
-  void note_includes() {
-    if (!includes_.empty()) file_.notes.push_back(includes_.substr(2) + ".");
-  }
-
-  Scanner& in_;
+  Scanner* in_;  // of the file that is read: this one, or one that it includes
   MeshFile& file_;
   FemMesh mesh_;
+  IncludedFiles included_;
   std::map<std::pair<Of, std::string>, std::string> spelled_;
   std::vector<std::string> sections_, blocks_;  // names of element sets: of solid sections, of *ELEMENT
-  std::string includes_;
   Eigen::Affine3d placement_ = Eigen::Affine3d::Identity();
+  std::set<std::string> of_part_;                 // names of sets, in upper case
+  bool in_assembly_ = false, own_nodes_ = false;  // nodes of the assembly itself
   int parts_ = 0, instances_ = 0;
   std::size_t members_ = 0;  // that sets have from other sets
 };
 
 }  // namespace
 
-void read_abaqus(Scanner& in, MeshFile& file) { AbaqusReader(in, file).read(); }
+void read_abaqus(Scanner& in, MeshFile& file, const ReadBeside& read_beside) {
+  AbaqusReader(in, file, read_beside).read();
+}
 
 }  // namespace fascia

@@ -123,6 +123,10 @@ class FebioReader {
     if (own_regions && !name.empty() && !block.children.empty()) file_.mesh.region_names[region] = name;
   }
 
+  void note_reference(const std::string& set) {
+    file_.notes.push_back("Set " + in_quotes(set) + " refers to another one, whose members are left out of it.");
+  }
+
   /// Members are elements with an id, or a text of numbers since version 4.
   void read_set(const XmlElement& list, FemMesh::Of of) {
     const std::string name = list.attribute("name");
@@ -130,16 +134,17 @@ class FebioReader {
     in_.seek(list.at);
     std::vector<FemRange>& set = mesh_.set(in_, of, name);
     for (const XmlElement& member : list.children) {
-      const bool refers = member.attribute("id").empty();  // to another set
-      if (refers) fail_at(in_, member, "has no id", "expected a member by its number");
+      if (member.name == "node_set" || member.name == "elem_set") {
+        note_reference(name);
+        continue;
+      }
       const std::int64_t id = number(member, "id");
       set.push_back({id, id, 1});
     }
     if (!list.children.empty()) return;
     Scanner text = text_of(list);
     if (text.peek_word().starts_with('@')) {  // "@surface:skin"
-      file_.notes.push_back("Set " + in_quotes(name) + " refers to another one and is left out.");
-      return;
+      return note_reference(name);
     }
     while (!text.at_end()) {
       const auto id = text.number<std::int64_t>("a member of a set");

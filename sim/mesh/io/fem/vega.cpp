@@ -3,20 +3,18 @@
 // their sets of elements.
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 #include "base/error.h"
 #include "sim/mesh/io/fem/fem_mesh.h"
+#include "sim/mesh/io/fem/included_files.h"
 
 namespace fascia {
 namespace {
 
-constexpr std::size_t kMostFiles = 32;
-
 class VegaReader {
  public:
   VegaReader(Scanner& in, MeshFile& file, const ReadBeside& read_beside)
-      : root_(in), file_(file), mesh_(file), read_beside_(read_beside) {}
+      : root_(in), file_(file), mesh_(file), included_(in.where(), read_beside) {}
 
   void read() {
     file_.format = "Vega";
@@ -38,12 +36,6 @@ class VegaReader {
   static constexpr FemRange kEvery = {std::numeric_limits<std::int64_t>::min(),
                                       std::numeric_limits<std::int64_t>::max(), 1};
 
-  struct Included {
-    std::string content;
-    Scanner in;
-    Included(const std::string& where, std::string text) : content(std::move(text)), in(where, content) {}
-  };
-
   static void prepare(Scanner& in) {
     in.skip_comments();
     in.skip_commas();
@@ -54,14 +46,9 @@ class VegaReader {
     const std::string_view line = in.line();
     const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
     const std::string name(line.substr(begin, line.find_last_not_of(" \t") + 1 - begin));
-    const bool printable = std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; });
-    if (name.empty() || !printable) in.fail("*INCLUDE names " + in_quotes(name), "expected the name of a file");
-    if (included_.size() == kMostFiles)
-      in.fail("is one *INCLUDE too many", "expected at most " + std::to_string(kMostFiles) + " files");
-    const std::filesystem::path path = std::filesystem::path(root_.where()).parent_path() / name;
-    included_.push_back(std::make_unique<Included>(path.string(), read_beside_(name)));
-    prepare(included_.back()->in);
-    return included_.back()->in;
+    Scanner& other = included_.open(in, name);
+    prepare(other);
+    return other;
   }
 
   void read_sections(Scanner& in) {
@@ -151,8 +138,7 @@ class VegaReader {
   Scanner& root_;
   MeshFile& file_;
   FemMesh mesh_;
-  const ReadBeside& read_beside_;
-  std::vector<std::unique_ptr<Included>> included_;           // errors name places in them
+  IncludedFiles included_;
   std::vector<std::pair<std::string, std::string>> regions_;  // set and material
   int region_ = 0;
   bool has_vertices_ = false;

@@ -1,5 +1,5 @@
 // PLY (Turk 1994): a header in text that lists elements and their properties, then the elements in text or in binary of
-// either byte order. Positions and colors of vertices and the corners of faces are kept.
+// either byte order. Positions and colors of vertices and the corners of faces and of strips of triangles are kept.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -188,7 +188,7 @@ class PlyReader {
     }
     if (element.name == "vertex") {
       read_vertices(element);
-    } else if (element.name == "face") {
+    } else if (element.name == "face" || element.name == "tristrips") {
       read_faces(element);
     } else if (!element.properties.empty()) {
       for (std::uint64_t i = 0; i < element.count; ++i) read_entry(element, element.properties.size());
@@ -250,21 +250,36 @@ class PlyReader {
     if (list == none) list = element.find("vertex_index");
     if (list == none || !element.properties[list].is_list) {
       in_.blame(element.at);
-      in_.fail("element face has no list vertex_indices", "expected one");
+      in_.fail("element " + element.name + " has no list vertex_indices", "expected one");
     }
+    const bool strips = element.name == "tristrips";
     const auto vertex_count = static_cast<double>(file_.mesh.positions.size());
     std::vector<std::uint32_t> corners;
     for (std::uint64_t f = 0; f < element.count; ++f) {
       read_entry(element, list);
       corners.clear();
       for (const double vertex : list_) {
+        if (strips && vertex == -1) {  // the next strip begins
+          add_strip(corners);
+          corners.clear();
+          continue;
+        }
         if (!(vertex >= 0 && vertex < vertex_count && vertex == std::floor(vertex))) {
           in_.fail("face " + std::to_string(f) + " names vertex " + NumberText().add(vertex).take(),
                    "expected 0 to " + std::to_string(static_cast<std::int64_t>(vertex_count) - 1));
         }
         corners.push_back(static_cast<std::uint32_t>(vertex));
       }
-      add_face(file_, corners);
+      strips ? add_strip(corners) : add_face(file_, corners);
+    }
+  }
+
+  /// Every three neighbors are a triangle; every second one is wound against the others.
+  void add_strip(std::span<const std::uint32_t> strip) {
+    for (std::size_t i = 0; i + 2 < strip.size(); ++i) {
+      const std::array triangle = {strip[i + i % 2], strip[i + 1 - i % 2], strip[i + 2]};
+      const bool degenerate = triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
+      if (!degenerate) add_face(file_, triangle);  // those that join two strips
     }
   }
 

@@ -3,6 +3,7 @@
 #include <bit>
 #include <map>
 
+#include "sim/mesh/io/foreign_formats.h"
 #include "sim/mesh/io/vtk/vtk.h"
 
 namespace fascia {
@@ -92,7 +93,7 @@ void LegacyReader::read_header() {
   const std::string kind = upper(in_.word("the kind of dataset"));
   polydata_ = kind == "POLYDATA";
   if (!polydata_ && kind != "UNSTRUCTURED_GRID")
-    in_.fail("dataset is " + in_quotes(kind), "expected UNSTRUCTURED_GRID or POLYDATA");
+    in_.fail("dataset is " + in_quotes(kind), "expected UNSTRUCTURED_GRID or POLYDATA" + way_of_vtk_dataset(kind));
   file_.format = "VTK legacy " + version + (binary_ ? " binary" : " ASCII");
 }
 

@@ -1,6 +1,7 @@
 // Reading VTK XML unstructured grids (.vtu) and polygons (.vtp), in one or several pieces.
 #include <algorithm>
 
+#include "sim/mesh/io/foreign_formats.h"
 #include "sim/mesh/io/vtk/vtu_array.h"
 
 namespace fascia {
@@ -27,7 +28,8 @@ class VtuReader {
     const std::string kind = root.attribute("type");
     polydata_ = kind == "PolyData";
     if (!polydata_ && kind != "UnstructuredGrid")
-      fail_at(in_, root, "type is " + in_quotes(kind), "expected UnstructuredGrid or PolyData");
+      fail_at(in_, root, "type is " + in_quotes(kind),
+              "expected UnstructuredGrid or PolyData" + way_of_vtk_dataset(kind));
     return root;
   }
 

@@ -147,6 +147,8 @@ TEST_CASE("files of other kinds are named, with a way to bring them in") {
       {"a.usdc", "PXR-USDC"},
       {"a.nrrd", "NRRD0004\n"},
       {"a.nii.gz", "\x1f\x8b\x08"},
+      {"a.stl.gz", "\x1f\x8b\x08"},
+      {"a.zip", "PK\3\4"},
       {"a.hdr", std::string(344, ' ') + std::string("ni1\0", 4)},
       {"a.stp", "ISO-10303-21;\n"},
       {"a.igs", "                                                                        S      1\n"},

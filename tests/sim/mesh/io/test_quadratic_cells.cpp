@@ -39,7 +39,8 @@ TetMesh quadratic_box() {
 }  // namespace
 
 TEST_CASE("tets of ten nodes are read with the middles of their edges", "[mesh_io]") {
-  const std::string name = GENERATE("gmsh_4.1_second_order.msh", "gmsh_tets10.inp", "tetgen_cube.node");
+  const std::string name =
+      GENERATE("gmsh_4.1_second_order.msh", "gmsh_tets10.inp", "gmsh_second_order.mesh", "tetgen_cube.node");
   const MeshFile file = read_mesh(test_dir() / "data/meshes" / name);
   CAPTURE(name, file.mesh.tets.size());
   REQUIRE(file.mid_edges.size() == file.mesh.tets.size());

@@ -1,5 +1,5 @@
 // Abaqus, FEBio and Vega files written here by hand: every part that is read, cuts at every byte, and their errors.
-// Covers: abaqus, febio, fem_mesh, vega
+// Covers: abaqus, febio, fem_mesh, included_files, vega
 #include <catch2/catch.hpp>
 
 #include "base/error.h"
@@ -79,12 +79,52 @@ TEST_CASE("Abaqus: one part, placed by its instance; several are refused") {
   CHECK(error_of("a.inp", part + instance + "*INSTANCE, NAME=j, PART=p\n") ==
         "a.inp:16: *INSTANCE: is the second instance; expected one: export the parts as one, or each in a file of its "
         "own");
-  CHECK(read("a.inp", part + "*ELSET, ELSET=e\n1\n*NSET, NSET=n, ELSET=e\n").notes ==
-        std::vector<std::string>{"Set 'n' is of the nodes of an element set and is left out."});
-  const MeshFile included = read("a.inp", part + "*INCLUDE, INPUT=more.inp\n");
-  CHECK(included.notes == std::vector<std::string>{"*INCLUDE is not followed: insert 'more.inp'."});
-  CHECK(error_of("a.inp", "*INCLUDE, INPUT=more.inp\n") ==
-        "a.inp:1: has no nodes; expected *NODE; *INCLUDE is not followed: insert 'more.inp'");
+  CHECK(read("a.inp", part + "*ELSET, ELSET=e\n1\n*NSET, NSET=n, ELSET=e\n").mesh.groups.at("n") ==
+        std::vector<std::uint32_t>{0, 1, 2, 3});
+}
+
+TEST_CASE("Abaqus: the assembly has sets and nodes of its own") {
+  const MeshFile file = read(
+      "a.inp",
+      "*PART, NAME=p\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT, TYPE=C3D4\n1,1,2,3,4\n*NSET, NSET=Set-1\n1\n"
+      "*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i-1, PART=p\n*END INSTANCE\n*NODE\n1, 5, 5, 5\n"
+      "*NSET, NSET=reference\n1\n*NSET, NSET=set-1, INSTANCE=i-1\n2\n*NSET, NSET=ends, INSTANCE=i-1, GENERATE\n3, 4\n"
+      "*NSET, NSET=some\ni-1.3, ends\n*NSET, NSET=other\nset-1\n*END ASSEMBLY\n");
+  CHECK(file.mesh.positions.size() == 4);
+  const std::map<std::string, std::vector<std::uint32_t>> groups = {
+      {"Set-1", {0}}, {"set-1 (assembly)", {1}}, {"ends", {2, 3}}, {"some", {2, 3}}, {"other", {1}}};
+  CHECK(file.mesh.groups == groups);
+  CHECK(file.notes ==
+        std::vector<std::string>{"Nodes of the assembly, which belong to no part, and sets of them are left out."});
+}
+
+TEST_CASE("Abaqus: other files that a file names are read in their place") {
+  const std::map<std::string, std::string> files = {
+      {"nodes.txt", "1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n"},
+      {"more.inp", "*ELEMENT, TYPE=C3D4\n1,1,2,3,4\n*INCLUDE, INPUT=sets\n"},
+      {"sets", "*NSET, NSET=low\n1,3\n"},
+      {"again", "*INCLUDE, INPUT=again\n"}};
+  const auto read_with = [&](const std::string& content) {
+    return read_mesh_content("dir/a.inp", content, [&](const std::string& name) { return files.at(name); });
+  };
+  const std::string deck = "*NODE, INPUT=nodes.txt\n*INCLUDE, INPUT=more.inp\n*NSET, NSET=tip\n4\n";
+  const MeshFile file = read_with(deck);
+  CHECK(file.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}});
+  CHECK(file.mesh.groups == std::map<std::string, std::vector<std::uint32_t>>{{"low", {0, 2}}, {"tip", {3}}});
+  CHECK(file.notes.empty());
+  const auto error_with = [&](const std::string& content) {
+    try {
+      read_with(content);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(error_with("*NODE, INPUT=nodes.txt\n*ELEMENT, TYPE=C3D4, INPUT=nodes.txt\n") ==
+        "dir/nodes.txt:1: *ELEMENT: the line ends before a node of an element; expected more numbers on it");
+  CHECK(error_with("*INCLUDE, INPUT=again\n") ==
+        "dir/again:1: *INCLUDE: is one included file too many; expected at most 32");
+  CHECK(error_with("*INCLUDE\n") == "dir/a.inp:1: *INCLUDE: names ''; expected the name of a file");
 }
 
 TEST_CASE("Abaqus: bad files") {
@@ -152,7 +192,10 @@ TEST_CASE("FEBio: bad files") {
   CHECK(feb_error("1,2,\n3", "1,2,<!-- c -->3") ==
         "a.feb:17: NodeSet: has a comment in its text; expected numbers alone");
   CHECK(read("a.feb", replaced(febio, "1,2,\n3", "@surface:skin")).notes ==
-        std::vector<std::string>{"Set 'clamp' refers to another one and is left out."});
+        std::vector<std::string>{"Set 'clamp' refers to another one, whose members are left out of it."});
+  CHECK(
+      read("a.feb", replaced(febio, "1,2,\n3", "<n id=\"1\"/><node_set node_set=\"tip\"/>")).mesh.groups.at("clamp") ==
+      std::vector<std::uint32_t>{0});
   CHECK(feb_error("<Mesh>", "<Mesh from=\"other.feb\">") ==
         "a.feb:4: Mesh: is in another file, 'other.feb'; expected it in this one");
   CHECK(error_of("a.feb", "<febio_spec version=\"4.0\"></febio_spec>") ==
@@ -177,7 +220,7 @@ TEST_CASE("Vega: vertices, elements, sets and regions, here and in included file
   check_two_tets(read_mesh_content("a.veg", text, beside), {0, 0});
   CHECK_THROWS_WITH(read_mesh_content("a.veg", replaced(text, "m.ele", "n.ele"), beside), "n.ele: no such file");
   CHECK_THROWS_WITH(read_mesh_content("a.veg", "*INCLUDE loop.veg\n", beside),
-                    Catch::Contains("is one *INCLUDE too many; expected at most 32 files"));
+                    Catch::Contains("is one included file too many; expected at most 32"));
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "sub");
   write_sample(folder, {"", "m.node", node});

@@ -46,7 +46,7 @@ TEST_CASE("Gmsh: elements of higher order keep their corners", "[mesh_io]") {
   CHECK(file.mesh.groups.at("4") == std::vector<std::uint32_t>{0, 1, 2, 3});
   CHECK(file.mesh.groups.at("6") == std::vector<std::uint32_t>{0, 1, 2});
   CHECK(file.mesh.groups.at("8") == std::vector<std::uint32_t>{0, 1, 2, 3});  // the line and the quadrangle
-  CHECK(file.notes == std::vector<std::string>{"Cells of higher order: kept the corners of each."});
+  CHECK(file.notes == std::vector<std::string>{kHigherOrderNote});
   CHECK(file.ignored.lines == 1);
   CHECK(file.ignored.triangles == 1);
   CHECK(file.ignored.polygons == 1);

@@ -172,6 +172,15 @@ TEST_CASE("STL: bad files") {
   CHECK(error_of("a.stl", binary) == "a.stl: byte 100: a coordinate of a vertex is infinite; expected a finite number");
 }
 
+TEST_CASE("PLY: strips of triangles, several in one list and joined by degenerate ones") {
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const MeshFile file = read_mesh_content("a.ply", strips + "12 0 2 1 3 -1 0 1 3 3 3 2 0\n");
+  CHECK(file.faces.ends == std::vector<std::size_t>{3, 6, 9, 12});
+  CHECK(file.faces.corners == std::vector<std::uint32_t>{0, 2, 1, 1, 2, 3, 0, 1, 3, 3, 2, 0});
+}
+
 TEST_CASE("PLY: bad files") {
   const auto text_error = [](const std::string& from, const std::string& to) {
     return error_of("a.ply", replaced(ply_text(), from, to));

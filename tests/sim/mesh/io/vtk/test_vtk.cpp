@@ -59,14 +59,14 @@ TEST_CASE("VTK: higher order, other cells, other attributes", "[mesh_io]") {
   const MeshFile file = read_mesh_content("m.vtk", text);
   CHECK(file.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 2, 3, 4}});
   CHECK(file.ignored.polygons == 1);
-  CHECK(file.notes ==
-        std::vector<std::string>{"Cells of higher order: kept the corners of each.", "1 pyramid split into 2 tets."});
+  CHECK(file.notes == std::vector<std::string>{kHigherOrderNote, "1 pyramid split into 2 tets."});
 }
 
 TEST_CASE("VTK legacy: bad files", "[mesh_io]") {
   CHECK(vtk_error("ASCII", "ASCI") == "m.vtk:3: encoding is 'ASCI'; expected ASCII or BINARY");
   CHECK(vtk_error("UNSTRUCTURED_GRID", "STRUCTURED_GRID") ==
-        "m.vtk:4: dataset is 'STRUCTURED_GRID'; expected UNSTRUCTURED_GRID or POLYDATA");
+        "m.vtk:4: dataset is 'STRUCTURED_GRID'; expected UNSTRUCTURED_GRID or POLYDATA; ParaView opens it and saves "
+        "its mesh as .vtu");
   CHECK(vtk_error("UNSTRUCTURED_GRID", "POLYDATA") ==
         "m.vtk:8: keyword is 'CELLS'; expected POINTS, POLYGONS, TRIANGLE_STRIPS, LINES, VERTICES, CELL_DATA, "
         "POINT_DATA or an attribute");
@@ -117,7 +117,8 @@ TEST_CASE("VTU: two pieces make one mesh", "[mesh_io]") {
 
 TEST_CASE("VTU: bad XML and attributes", "[mesh_io]") {
   CHECK(vtu_error("type=\"UnstructuredGrid\"", "type=\"ImageData\"") ==
-        "m.vtu:3: VTKFile: type is 'ImageData'; expected UnstructuredGrid or PolyData");
+        "m.vtu:3: VTKFile: type is 'ImageData'; expected UnstructuredGrid or PolyData; 3D Slicer imports it as a "
+        "segmentation and exports a surface as .stl, .ply or .obj");
   CHECK(vtu_error("LittleEndian", "Middle") ==
         "m.vtu:3: VTKFile: byte_order is 'Middle'; expected LittleEndian or BigEndian");
   CHECK(vtu_error("UInt64", "UInt16") == "m.vtu:3: VTKFile: header_type is 'UInt16'; expected UInt32 or UInt64");
