@@ -1,5 +1,7 @@
 #include "api/scene.h"
 
+#include <algorithm>
+
 #include "api/material.h"
 #include "api/mesh.h"
 #include "api/settings.h"
@@ -19,6 +21,11 @@ void require_vertices(const std::vector<std::uint32_t>& vertices, std::size_t co
 fascia::Body checked(const Body& body, const std::string& where) {
   fascia::Body own;
   own.name = body.name;
+  const auto* const elements = std::find_if(std::begin(kElementOrders), std::end(kElementOrders),
+                                            [&](ElementOrder order) { return body.elements == name_of(order); });
+  if (elements == std::end(kElementOrders))
+    throw Error(where + ".elements", "is \"" + body.elements + "\"", "expected linear or quadratic");
+  own.elements = *elements;
   own.material = checked(body.material, where + ".material");
   for (const auto& [region, material] : body.region_materials) {
     const fascia::Material m = checked(material, where + ".region_materials[" + std::to_string(region) + "]");

@@ -57,7 +57,8 @@ class Motion:
 
 class Body:
     def __init__(self, mesh: Mesh, material: Material = ..., name: str = ..., fixed: Array = ..., region_materials: dict[int, Material] = ...,
-                 motions: Sequence[Motion] = ..., initial_velocity: Optional[Array] = ...) -> None: ...
+                 motions: Sequence[Motion] = ..., initial_velocity: Optional[Array] = ...,
+                 elements: str = ...) -> None: ...
 
 class Scene:
     def __init__(self, bodies: Sequence[Body], gravity: Vec3 = ..., settings: Settings = ..., title: str = ...) -> None: ...

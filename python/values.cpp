@@ -113,20 +113,21 @@ void define_values(py::module_& m) {
   py::class_<Body>(m, "Body", "A mesh with materials, supports and motions.")
       .def(py::init([](const Mesh& mesh, const Material& material, const std::string& name, const py::object& fixed,
                        const std::map<int, Material>& region_materials, const std::vector<Motion>& motions,
-                       const py::object& initial_velocity) {
+                       const py::object& initial_velocity, const std::string& elements) {
              return Body{name,
                          mesh,
                          material,
                          region_materials,
                          indices_of(fixed),
                          motions,
-                         initial_velocity.is_none() ? std::vector<double>() : numbers_of(initial_velocity)};
+                         initial_velocity.is_none() ? std::vector<double>() : numbers_of(initial_velocity),
+                         elements};
            }),
            "mesh"_a, "material"_a = Material(), "name"_a = "body", "fixed"_a = py::tuple(),
            "region_materials"_a = std::map<int, Material>(), "motions"_a = std::vector<Motion>(),
-           "initial_velocity"_a = py::none(),
+           "initial_velocity"_a = py::none(), "elements"_a = Body().elements,
            "Makes a body. fixed has the indices of vertices that stay at rest; region_materials has the materials of "
-           "single regions by number; initial_velocity is [vertex_count, 3] [m/s].");
+           "single regions by number; initial_velocity is [vertex_count, 3] [m/s]; elements is linear or quadratic.");
   py::class_<Scene>(m, "Scene", "Bodies, gravity and settings.")
       .def(py::init([](const std::vector<Body>& bodies, const Vec3& gravity, const Settings& settings_of_scene,
                        const std::string& title) {

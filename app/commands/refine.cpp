@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/cli/command_line.h"
+#include "app/cli/usage_error.h"
 #include "app/commands/command.h"
 #include "app/refine/trial_run.h"
 #include "app/session/graphics.h"
@@ -67,6 +68,9 @@ std::string describe(const Proposal& p, const Scene& scene) {
 }
 
 int run_refine(const RefineOptions& options) {
+  for (const auto& [given, name] :
+       {std::pair(options.static_equilibrium, "--static"), std::pair(options.reference, "--reference")})
+    if (given) throw UsageError(name, "leaves nothing to choose: refine plans the steps of the GPU", "leave it out");
   const Opened opened = open_input(options, options.sets);
   const Graphics graphics =
       open_graphics(options, false, 16, 16, workload_of(opened.scene, opened.model, false, false));
@@ -88,10 +92,10 @@ int run_refine(const RefineOptions& options) {
     if (plan.exact) std::cout << "for the error:\n" << describe(*plan.exact, opened.scene);
     if (plan.fast) std::cout << "for the time:\n" << describe(*plan.fast, opened.scene);
   }
-  std::cout
-      << "estimates from " << plural(static_cast<std::size_t>(steps), "step")
-      << " on this machine; assumed: the error of the mesh falls with the square of the edges, that in time with "
-         "the integrator's order, the time of a step grows with tets, substeps and iterations; the errors add up\n";
+  std::cout << "estimates from " << plural(static_cast<std::size_t>(steps), "step")
+            << " on this machine; assumed: the error of the mesh falls with the square of the edges, that in time with "
+               "the integrator's order, the time of a step grows with tets, substeps and what an iteration adds; the "
+               "errors add up\n";
   return plan.within ? exit_done : exit_failed;
 }
 

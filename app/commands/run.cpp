@@ -102,21 +102,28 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     const StepError& error = measured.measure(simulation);
     stats.error = error.relative;
     errors.solver = error.of_displacement;
+    errors.peak_stress.solver = error.peak_stress.solver;
     say("true error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
         (error.converged ? "" : " (the reference solver did not converge)"));
   }
   if (!options.static_equilibrium) {
     const TimeError error = estimate_time_error(simulation, simulation.programs());
-    if (error.complete) errors.time = error.relative;
+    if (error.complete) {
+      errors.time = error.relative;
+      errors.peak_stress.time = error.peak_stress;
+    }
   }
   const MeshError mesh = estimate_mesh_error(simulation.model, last);
   errors.mesh = mesh.displacement;
-  errors.peak_stress = mesh.peak_stress;
+  errors.peak_stress.mesh = mesh.peak_stress;
   errors.peak_recovered = peak.p99;
   errors.peak_of_tets = mesh.peak_of_tets;
-  say("of the displacement: " + (errors.solver ? "solver " + percent(*errors.solver) + ", " : "") +
-      (errors.time ? "time " + percent(*errors.time) + ", " : "") + "mesh " + percent(errors.mesh) +
-      "; of the peak stress: mesh " + percent(errors.peak_stress) + " (estimates)");
+  const auto causes = [&](const std::optional<double>& solver, const std::optional<double>& time, double of_mesh) {
+    return (solver ? "solver " + percent(*solver) + ", " : "") + (time ? "time " + percent(*time) + ", " : "") +
+           "mesh " + percent(of_mesh);
+  };
+  say("of the displacement: " + causes(errors.solver, errors.time, errors.mesh) + "; of the peak stress: " +
+      causes(errors.peak_stress.solver, errors.peak_stress.time, errors.peak_stress.mesh) + " (estimates)");
   say("von Mises stress that 1 % of the volume exceeds: " + number(errors.peak_recovered) + " Pa recovered, " +
       number(mesh.peak_of_tets) + " Pa in the tets");
   stats.errors = errors;

@@ -15,10 +15,15 @@ constexpr int kIterations[] = {3, 5, 7, 10, 15, 20, 30};
 // A measured step may be unusually good; more iterations than measured are not trusted with more than this.
 constexpr double kBestRate = 0.6;  // of the error, per iteration
 constexpr double kRounding = 1e-6;
+// What a substep takes beside its iterations is measured as a difference of times, which scatter: at most this.
+constexpr double kMostBeside = 0.5;  // of the time with `many` iterations
 
 }  // namespace
 
-double Trial::ns_per_tet_iteration() const { return 1e6 * ms / (static_cast<double>(tets) * many * substeps); }
+double Trial::ns_per_tet_iteration() const {
+  const double all = ms_many / many, slope = (ms_many - ms_few) / (many - few);
+  return 1e6 * std::clamp(slope, (1 - kMostBeside) * all, all) / (static_cast<double>(tets) * substeps);
+}
 
 Proposal predicted(const Trial& trial, double refinement, int substeps, int iterations) {
   Proposal result{trial.elements, trial.integrator, refinement, 0, substeps, iterations};
@@ -29,7 +34,9 @@ Proposal predicted(const Trial& trial, double refinement, int substeps, int iter
   const double rate = std::clamp(std::pow(many / few, 1.0 / (trial.many - trial.few)), kBestRate, 1.0);
   result.solver = std::max(kRounding, iterations > trial.many ? many * std::pow(rate, iterations - trial.many)
                                                               : few * std::pow(rate, iterations - trial.few));
-  result.ms = 1e-6 * trial.ns_per_tet_iteration() * result.tets * iterations * substeps;
+  const double of_tet = 1e6 * trial.ms_many / (static_cast<double>(trial.tets) * trial.substeps);
+  const double ns = of_tet + trial.ns_per_tet_iteration() * (iterations - trial.many);
+  result.ms = 1e-6 * ns * result.tets * substeps;
   return result;
 }
 

@@ -18,7 +18,7 @@ struct Trial {
   double mesh = 0, time = 0;               // estimated
   int few = 5, many = 10;                  // iterations
   double solver_few = 0, solver_many = 0;  // of the whole run with these
-  double ms = 0;                           // of a step with `many`, median
+  double ms_few = 0, ms_many = 0;          // of a step with these, medians
 
   double ns_per_tet_iteration() const;
 };
@@ -39,7 +39,7 @@ struct Proposal {
 ///   mesh error * refinement^-2     the order of both elements in general; that of quadratic ones is up to 4
 ///   time error * substeps^-order
 ///   solver error: geometric between the two measured numbers of iterations, and beyond them
-///   time: tets, substeps and iterations times the measured time of one tet in one iteration
+///   time: tets and substeps times that of a tet in a substep, linear in the iterations through both measured times
 Proposal predicted(const Trial& trial, double refinement, int substeps, int iterations);
 
 struct Plan {

@@ -41,6 +41,9 @@ FASCIA_INLINE namespace api {
     /// [vertex_count][3] The velocities at the start [m/s]. If it is empty, the body starts at rest. The values at
     /// fixed and moved vertices are ignored.
     std::vector<double> initial_velocity{};
+    /// The elements, as in scene files: "linear" or "quadratic". Quadratic ones have a vertex in the middle of every
+    /// edge, too, behind those of the mesh; one whose edge has two fixed or moved ends is fixed or moved with them.
+    std::string elements = "linear";
   };
 
   /// A scene. Simulation::Simulation() checks it and throws Error for values out of range.

@@ -164,4 +164,10 @@ PeakStress peak_of(const NodalStress& stress, const Model& model) {
           exceeded_by_a_hundredth(values, vertex_volumes(model))};
 }
 
+double peak_distance(const Model& model, const State& state, const State& exact, const std::stop_token& stop) {
+  const auto p99 = [&](const State& of) { return peak_of(nodal_stress(model, of, stop), model).p99; };
+  const double truth = p99(exact);
+  return truth > 0 ? std::abs(p99(state) - truth) / truth : 0;
+}
+
 }  // namespace fascia

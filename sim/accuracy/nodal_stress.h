@@ -12,6 +12,7 @@
 // Stress jumps where materials meet, so they are not mixed: a vertex of several has the stress of the one with the
 // largest von Mises stress.
 #pragma once
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -40,5 +41,13 @@ struct PeakStress {
   double max = 0, p99 = 0;  // p99: exceeded by 1 % of the volume
 };
 PeakStress peak_of(const NodalStress& stress, const Model& model);
+
+/// What the stress p99 is off by, told apart by cause, relative to it.
+struct PeakErrors {
+  std::optional<double> solver, time;
+  double mesh = 0;  // MeshError::peak_stress
+};
+/// |p99 - p99 of `exact`| over the latter; 0 where there is none.
+double peak_distance(const Model& model, const State& state, const State& exact, const std::stop_token& stop = {});
 
 }  // namespace fascia

@@ -74,8 +74,12 @@ Json to_json(const Errors& errors) {
   if (errors.solver) json["solver"] = *errors.solver;
   if (errors.time) json["time"] = *errors.time;
   json["mesh"] = errors.mesh;
-  json["peak_stress"] = {
-      {"mesh", errors.peak_stress}, {"recovered_Pa", errors.peak_recovered}, {"tets_Pa", errors.peak_of_tets}};
+  Json& peak = json["peak_stress"] = Json::object();
+  if (errors.peak_stress.solver) peak["solver"] = *errors.peak_stress.solver;
+  if (errors.peak_stress.time) peak["time"] = *errors.peak_stress.time;
+  peak["mesh"] = errors.peak_stress.mesh;
+  peak["recovered_Pa"] = errors.peak_recovered;
+  peak["tets_Pa"] = errors.peak_of_tets;
   return json;
 }
 

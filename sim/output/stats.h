@@ -15,9 +15,10 @@ namespace fascia {
 
 /// What the last state is off by, told apart by cause: relative errors, of the displacements and of the peak stress.
 struct Errors {
-  std::optional<double> solver;                 // of the last step, RMS over RMS displacement
-  std::optional<double> time;                   // TimeError
-  double mesh = 0, peak_stress = 0;             // MeshError
+  std::optional<double> solver;  // of the last step, RMS over RMS displacement
+  std::optional<double> time;    // TimeError
+  double mesh = 0;               // MeshError
+  PeakErrors peak_stress;
   double peak_recovered = 0, peak_of_tets = 0;  // [Pa] von Mises stress that 1 % of the volume exceeds
 };
 

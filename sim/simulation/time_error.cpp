@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/relative_distance.h"
 #include "sim/grab/build_model.h"
 
@@ -33,6 +34,12 @@ double richardson_factor(Integrator integrator) {
   return gain / (gain - 1);
 }
 
+TimeError distance_in_time(const Model& model, Integrator integrator, const State& coarse, const State& fine) {
+  const double factor = richardson_factor(integrator);
+  return {.relative = factor * relative_distance(coarse.displacement, fine.displacement),
+          .peak_stress = factor * peak_distance(model, coarse, fine)};
+}
+
 TimeError estimate_time_error(const Simulation& done, gl::ProgramCache* programs, const std::stop_token& stop) {
   // The values of the scene and of the model follow the inputs of a replay, which starts with its own.
   Scene scene = done.replay() ? done.replay()->scene : done.scene;
@@ -42,12 +49,10 @@ TimeError estimate_time_error(const Simulation& done, gl::ProgramCache* programs
   if (done.replay()) finer.play(halved(*done.replay()));
   if (!done.uses_reference()) finer.gpu()->solve_everything();
   for (long step = 0; step < done.steps_made(); ++step) {
-    if (stop.stop_requested()) return {0, false};
+    if (stop.stop_requested()) return {.complete = false};
     finer.step();
   }
-  return {richardson_factor(done.scene.solver.integrator) *
-              relative_distance(done.state().displacement, finer.state().displacement),
-          true};
+  return distance_in_time(done.model, done.scene.solver.integrator, done.state(), finer.state());
 }
 
 }  // namespace fascia

@@ -12,9 +12,13 @@ int order_of(Integrator integrator);
 double richardson_factor(Integrator integrator);
 
 struct TimeError {
-  double relative = 0;   // RMS error over RMS displacement, both over all vertices
-  bool complete = true;  // false: `stop` ended the repetition
+  double relative = 0;     // RMS error over RMS displacement, both over all vertices
+  bool complete = true;    // false: `stop` ended the repetition
+  double peak_stress = 0;  // of PeakStress::p99, the same way
 };
+
+/// Of `coarse`, from the same motion with steps of half the length.
+TimeError distance_in_time(const Model& model, Integrator integrator, const State& coarse, const State& fine);
 
 /// Repeats all steps of `done`, a scene or a replay whose values nothing else has changed, from their start with twice
 /// the substeps, by the same solver, and takes the error from the distance. What the solver leaves of each step is part

@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "sim/accuracy/mesh_error.h"
 #include "sim/accuracy/relative_distance.h"
-#include "sim/simulation/time_error.h"
 
 namespace fascia {
 
@@ -53,12 +52,18 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   }
   error.relative = squared > 0 ? std::sqrt(squared / scale) : 0;
   error.of_displacement = squared > 0 ? std::sqrt(squared / whole) : 0;
-  error.mesh = estimate_mesh_error(problem.model, {step.solution, {}, 0}).displacement;
-  if (problem.last) error.time = error_in_time(problem, stop);
+  const State solved{step.solution, {}, 0};
+  const MeshError mesh = estimate_mesh_error(problem.model, solved);
+  error.mesh = mesh.displacement;
+  error.peak_stress = {peak_distance(problem.model, solved, state, stop), {}, mesh.peak_stress};
+  if (!problem.last) return error;
+  const TimeError time = error_in_time(problem, stop);
+  error.time = time.relative;
+  error.peak_stress.time = time.peak_stress;
   return error;
 }
 
-double TrueError::error_in_time(const Problem& problem, const std::stop_token& stop) {
+TimeError TrueError::error_in_time(const Problem& problem, const std::stop_token& stop) {
   State coarse = *problem.last, fine = coarse;
   SolverSettings halved = problem.settings;
   halved.substeps *= 2;
@@ -73,7 +78,7 @@ double TrueError::error_in_time(const Problem& problem, const std::stop_token& s
       solver.step(*state);
     }
   }
-  return richardson_factor(problem.settings.integrator) * relative_distance(coarse.displacement, fine.displacement);
+  return distance_in_time(problem.model, problem.settings.integrator, coarse, fine);
 }
 
 void TrueError::begin(Simulation& simulation, bool with_time) {

@@ -7,7 +7,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/simulation/simulation.h"
+#include "sim/simulation/time_error.h"
 
 namespace fascia {
 
@@ -17,6 +19,7 @@ struct StepError {
   double of_displacement = 0;   // RMS |u - u_exact| over RMS |u_exact|
   double mesh = 0;              // MeshError::displacement of the solver's shape
   std::optional<double> time;   // what the next kFollowedSteps gather, relative to the displacement; if requested
+  PeakErrors peak_stress;       // the same of the recovered stress that 1 % of the volume exceeds
   double largest = 0;           // [m]
   long step = 0;                // GpuSolver::steps_solved() at the end of the substep
   bool converged = true;        // the reference solver; if false, the error is unreliable
@@ -60,7 +63,7 @@ class TrueError {
     std::optional<State> last = {};  // after the substep, where the error in time is requested
   };
   static StepError compare(const Problem& problem, const SolvedStep& step, std::stop_token stop);
-  static double error_in_time(const Problem& problem, const std::stop_token& stop);
+  static TimeError error_in_time(const Problem& problem, const std::stop_token& stop);
   void begin(Simulation& simulation, bool with_time);
 
   bool requested_ = false;

@@ -40,6 +40,9 @@ TEST_CASE("Arrays of inconsistent sizes are refused") {
   bad.region_materials[3] = {};
   CHECK_THAT(refusal(bad), Contains("3"));
   bad = good;
+  bad.elements = "cubic";
+  CHECK_THAT(refusal(bad), Contains("bodies[0].elements: is \"cubic\"; expected linear or quadratic"));
+  bad = good;
   bad.initial_velocity = {1, 2, 3};
   CHECK_THAT(refusal(bad), Contains("initial_velocity"));
   bad = good;
@@ -48,6 +51,26 @@ TEST_CASE("Arrays of inconsistent sizes are refused") {
   CHECK_THAT(error_of([] { Simulation(Scene(), context()); }), Contains("no bodies"));
   CHECK_THAT(error_of([&] { Simulation(scene_of(good), context(), {.set = {"solver.iterations=3"}}); }),
              Contains("OpenOptions::set"));
+}
+
+TEST_CASE("A body of quadratic tets has a vertex in the middle of every edge, and they move with it") {
+  Body body = standing_cube();
+  const std::size_t corners = body.mesh.vertex_count();
+  body.elements = "quadratic";
+  Scene scene = scene_of(body);
+  scene.settings.integrator = "bdf2";
+  Simulation simulation(scene, context());
+  CHECK(simulation.tet_count() == body.mesh.tet_count());
+  REQUIRE(simulation.vertex_count() == 125);  // 3 x 3 x 3 corners of cells in six tets each: their half lattice
+  const std::vector<double> before = simulation.positions();
+  simulation.step(10);
+  const std::vector<double> after = simulation.positions();
+  double middles = 0;
+  for (std::size_t k = 3 * corners; k < after.size(); ++k) middles = std::max(middles, std::abs(after[k] - before[k]));
+  CHECK(middles > 1e-4);
+  scene.settings.method = "jacobi";
+  scene.settings.acceleration = "none";
+  CHECK_THAT(error_of([&] { Simulation(scene, context()); }), Contains("does not carry quadratic elements"));
 }
 
 TEST_CASE("Tets of either winding are accepted, and repairs are noted") {

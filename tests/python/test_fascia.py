@@ -83,6 +83,13 @@ class Arrays(unittest.TestCase):
         s = fascia.Simulation(fascia.Scene([fascia.Body(fascia.make_box(1, 1, 1, (1, 1, 1)))]), CONTEXT)
         self.assertEqual(tuple(s.fixed.shape), (0,))
 
+    def test_quadratic_elements(self):
+        body = fascia.Body(fascia.make_box(1, 1, 1, (1, 1, 1)), elements="quadratic")
+        s = fascia.Simulation(fascia.Scene([body]), CONTEXT)
+        self.assertEqual(tuple(s.positions.shape), (27, 3))
+        with self.assertRaisesRegex(fascia.Error, "expected linear or quadratic"):
+            fascia.Simulation(fascia.Scene([fascia.Body(fascia.make_box(1, 1, 1, (1, 1, 1)), elements="cubic")]), CONTEXT)
+
     def test_positions_are_a_copy_that_can_be_assigned(self):
         s = simulation(gravity=(0, 0, 0))
         x = s.positions

@@ -17,6 +17,12 @@ TEST_CASE("refine proposes settings, or says what is within reach", "[refine]") 
                                                "--steps", "5", "--quiet", "--context", "osmesa"});
   CHECK(impossible.exit_code == 1);
   CHECK(impossible.out.find("not within reach") != std::string::npos);
+  for (const std::string option : {"--static", "--reference"}) {
+    const CommandResult refused = run_fascia({"refine", cube.string(), option});
+    CAPTURE(option, refused.err);
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.find(option + ": leaves nothing to choose") != std::string::npos);
+  }
   for (const std::string wrong : {"-2%", "0", "2 %", "much"}) {
     const CommandResult refused = run_fascia({"refine", cube.string(), "--error", wrong});
     CAPTURE(wrong, refused.err);

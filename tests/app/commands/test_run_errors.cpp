@@ -47,12 +47,16 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CHECK(euler.at("mesh").get<double>() > 0.02);  // 4,963 linear tets of a beam that bends
   CHECK(euler.at("mesh").get<double>() < 0.5);
   CHECK(euler.at("peak_stress").at("mesh").get<double>() > 0);
+  CHECK(euler.at("peak_stress").at("solver").get<double>() < 1e-3);
+  CHECK(euler.at("peak_stress").at("time").get<double>() > 1e-3);
   const double recovered = euler.at("peak_stress").at("recovered_Pa"), tets = euler.at("peak_stress").at("tets_Pa");
   CHECK(tets > 1000);  // of a beam of 2.5e5 Pa that is strained by some percent
   CHECK(recovered != tets);
   CHECK(recovered == Approx(tets).epsilon(0.2));
   CHECK_FALSE(still.contains("solver"));
   CHECK_FALSE(still.contains("time"));
+  CHECK_FALSE(still.at("peak_stress").contains("solver"));
+  CHECK_FALSE(still.at("peak_stress").contains("time"));
   CHECK(still.contains("mesh"));
   CHECK_FALSE(exact.contains("solver"));
   CHECK(exact.contains("time"));

@@ -23,12 +23,13 @@ TEST_CASE("trials measure every kind of elements with both integrators", "[refin
   REQUIRE(trials.size() == 4);
   CHECK(lines == 4);
   for (const Trial& trial : trials) {
-    CAPTURE(name_of(trial.elements), name_of(trial.integrator), trial.mesh, trial.time, trial.solver_few, trial.ms);
+    CAPTURE(name_of(trial.elements), name_of(trial.integrator), trial.mesh, trial.time, trial.solver_few, trial.ms_few);
     CHECK(trial.mesh > 0);
     CHECK(trial.mesh < 1);
     CHECK(trial.time > 0);
     CHECK(trial.solver_many <= trial.solver_few);
-    CHECK(trial.ms > 0);
+    CHECK(trial.ms_few > 0);
+    CHECK(trial.ms_many > 0);
   }
   CHECK(trials[2].mesh < trials[0].mesh);  // quadratic, linear
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/relative_distance.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
@@ -30,10 +31,13 @@ TEST_CASE("the estimated error in time is 0.7 to 1.5 of the error against many s
   constexpr int kSteps = 20;
   const auto coarse = after(gpu, integrator, 1, kSteps), exact = after(gpu, "bdf2", 16, kSteps);
   const double error = relative_distance(coarse->state().displacement, exact->state().displacement),
-               estimate = estimate_time_error(*coarse, &gpu.programs).relative;
-  CAPTURE(integrator, error, estimate, estimate / error);
-  CHECK(estimate > 0.7 * error);
-  CHECK(estimate < 1.5 * error);
+               peak = peak_distance(coarse->model, coarse->state(), exact->state());
+  const TimeError estimate = estimate_time_error(*coarse, &gpu.programs);
+  CAPTURE(integrator, error, estimate.relative / error, peak, estimate.peak_stress / peak);
+  CHECK(estimate.relative > 0.7 * error);
+  CHECK(estimate.relative < 1.5 * error);
+  CHECK(estimate.peak_stress > 0.7 * peak);
+  CHECK(estimate.peak_stress < 1.5 * peak);
 }
 
 TEST_CASE("a run without steps has no error in time") {
