@@ -72,7 +72,7 @@ TEST_CASE("bodies collide on the GPU as in the reference, step by step from the 
   for (std::size_t v = 0; v < masses.size(); ++v) momentum += masses[v] * state.velocity[v];
   CAPTURE(iterations, error, momentum.transpose());
   CHECK(error < largest_error);
-  CHECK((momentum - Vector3d(-8, 0, 0)).norm() < 1e-3 * 8);
+  CHECK((momentum - Vector3d(-8, 0, 0)).norm() < 1e-5 * 8);
 }
 
 // It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 %
