@@ -85,18 +85,16 @@ void verify_estimates(Verification& verification) {
     const double error = std::abs(energy_of(model, state) / truth->second - 1);
     const double effectivity = estimate_mesh_error(model, state).displacement / error;
     effectivities.push_back(effectivity);
-    verification.add(
-        {kTest,
-         "bar " + std::string(row.loading->name) + ", " + count_of(model) + ", nu = " + number(row.nu) +
-             ": estimate over error",
-         "", effectivity, 0.7, 1.5,
-         "error " + number(100 * error) + " % of the elastic energy, against 1,536 quadratic tets; wanted 0.7 to 1.5",
-         false});
+    verification.add({kTest,
+                      "bar " + std::string(row.loading->name) + ", " + count_of(model) + ", nu = " + number(row.nu) +
+                          ": estimate over error",
+                      "", effectivity, 0.7, 1.5,
+                      "error " + number(100 * error) + " % of the elastic energy, against 1,536 quadratic tets"});
   }
   std::sort(effectivities.begin(), effectivities.end());
   verification.add({kTest, "ten meshes: median of estimate over error", "",
                     0.5 * (effectivities[effectivities.size() / 2 - 1] + effectivities[effectivities.size() / 2]), 0.7,
-                    1.5, "1; the single meshes are above"});
+                    1.5, "1"});
 }
 
 }  // namespace fascia

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "sim/accuracy/enriched_stress.h"
 #include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/material/law.h"
@@ -51,7 +53,14 @@ Densities densities_at(const PointStress& own, const Vector6d& recovered, const 
 MeshError estimate_mesh_error(const Model& model, const State& state, const std::stop_token& stop) {
   MeshError result;
   result.tets.assign(model.tets.size(), 0);
-  const RecoveredStress recovered(model, state, stop);
+  const auto linear = static_cast<std::size_t>(
+      std::count_if(model.tets.begin(), model.tets.end(),
+                    [&, t = std::size_t{0}](const Tet&) mutable { return !model.is_quadratic(t++); }));
+  const bool enriches = linear <= EnrichedStress::kMostTets;
+  std::optional<EnrichedStress> enriched;
+  std::optional<RecoveredStress> recovered;
+  if (enriches && linear > 0) enriched.emplace(model, state, stop);
+  if (!enriches || linear < model.tets.size()) recovered.emplace(model, state, stop);
   std::vector<Eigen::Vector4d> points;
   for (const VolumePoint& point : volume_points()) points.push_back(point.barycentric);
   std::vector<double> squares;               // [tet_count] mean [J/m^3]
@@ -66,7 +75,9 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
     all += volume;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double share = volume_points()[p].weight, weight = share * volume;
-      const Vector6d star = recovered.at(t, points[p]);
+      const Vector6d star = enriched && !model.is_quadratic(t)
+                                ? Vector6d(stresses[p].stress + enriched->at(t, points[p]))
+                                : recovered->at(t, points[p]);
       const Densities densities = densities_at(stresses[p], star, material);
       squares.back() += share * densities.squares;
       work += weight * densities.work;

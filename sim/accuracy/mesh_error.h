@@ -1,13 +1,15 @@
 // How far a state is from that of an infinitely fine mesh under the same forces, estimated from the state alone.
 //
-//   e^2 = int (T* - T) : D^-1 (T* - T) dV       T*: sim/accuracy/recovered_stress.h (Zienkiewicz, Zhu 1987, 1992)
+//   e^2 = int (T* - T) : D^-1 (T* - T) dV       (Zienkiewicz, Zhu 1987)
 //
-// of linear tets is the squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work
-// is short of: e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on
-// it. Where motions are prescribed and nothing pulls, it is that of the reactions.
+// of linear tets, with the stress T* that they would have if their edges could bend (sim/accuracy/enriched_stress.h),
+// and where those are too many with the one that is recovered by patches (sim/accuracy/recovered_stress.h), is the
+// squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work is short of: e^2 / (T*
+// : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on it. Where motions are
+// prescribed and nothing pulls, it is that of the reactions.
 //
-// Quadratic tets take the change of volume theta of their energy on average, and are then too soft rather than too
-// stiff. The same derivation gives, with strains eps* = D^-1 T* and p* = lambda tr eps*,
+// Quadratic tets, whose T* is recovered, take the change of volume theta of their energy on average, and are then too
+// soft rather than too stiff. The same derivation gives, with strains eps* = D^-1 T* and p* = lambda tr eps*,
 //
 //   w = int 2 mu |eps* - eps|^2 + lambda (tr eps* - mean theta)^2 - 2 (p* - p) (theta - mean theta) dV
 //
@@ -25,8 +27,8 @@ namespace fascia {
 
 struct MeshError {
   double displacement = 0;  // |w| / int T* : D^-1 T*
-  double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to the recovered one
-  double peak = 0;          // that recovered one [Pa]
+  double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to that of T*
+  double peak = 0;          // that of T* [Pa]
   double peak_of_tets = 0;  // that of the tets themselves [Pa]
   /// [tet_count] of the squares: root of their mean in the tet over that of T* : D^-1 T* in the body.
   std::vector<float> tets{};

@@ -1,0 +1,302 @@
+#include "sim/accuracy/enriched_stress.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/accuracy/recovered_stress.h"
+#include "sim/mesh/tet_faces.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+using reference::Vector6d;
+
+constexpr std::array<std::array<int, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// Exact for polynomials of degree 2; equal weights.
+const std::array<Vector4d, 4>& points() {
+  static const std::array<Vector4d, 4> all = [] {
+    constexpr double kNear = 0.58541019662496845446, kFar = 0.13819660112501051518;
+    std::array<Vector4d, 4> made;
+    for (int p = 0; p < 4; ++p) {
+      made[static_cast<std::size_t>(p)].setConstant(kFar);
+      made[static_cast<std::size_t>(p)][p] = kNear;
+    }
+    return made;
+  }();
+  return all;
+}
+
+/// The gradient of 4 L_a L_b.
+Vector3d edge_gradient(const LinearTet& rest, int a, int b, const Vector4d& at) {
+  return 4 * (at[a] * rest.gradients.col(b) + at[b] * rest.gradients.col(a));
+}
+
+double dot(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+  return sum;
+}
+
+}  // namespace
+
+EnrichedStress::EnrichedStress(const Model& model, const State& state, const std::stop_token& stop)
+    : model_(model), held_(model.held()) {
+  make_elements(state);
+  find_edges();
+  delta_.assign(held_.size(), Vector3d::Zero());
+  solve(loads_of_edges(), stop);
+}
+
+void EnrichedStress::make_elements(const State& state) {
+  const std::vector<Vector4d> middle{Vector4d::Constant(0.25)};
+  element_of_.resize(model_.tets.size());
+  for (std::size_t t = 0; t < model_.tets.size(); ++t) {
+    if (model_.is_quadratic(t)) continue;
+    const Tet& tet = model_.tets[t];
+    const LinearTet rest({model_.rest_positions[tet[0]], model_.rest_positions[tet[1]], model_.rest_positions[tet[2]],
+                          model_.rest_positions[tet[3]]});
+    const PointStress own = stresses_of(model_, state, t, middle).front();
+    element_of_[t] = static_cast<std::uint32_t>(elements_.size());
+    elements_.push_back({static_cast<std::uint32_t>(t), rest, own.rotation,
+                         rest.volume * own.rotation * matrix_of(own.stress) * rest.gradients});
+  }
+}
+
+void EnrichedStress::find_edges() {
+  const std::size_t vertices = held_.size();
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> numbers;
+  for (Element& element : elements_) {
+    const Tet& tet = model_.tets[element.tet];
+    for (std::size_t e = 0; e < 6; ++e) {
+      std::array<std::uint32_t, 2> ends{tet[static_cast<std::size_t>(kEdges[e][0])],
+                                        tet[static_cast<std::size_t>(kEdges[e][1])]};
+      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+      const auto [place, added] = numbers.try_emplace(ends, static_cast<std::uint32_t>(ends_.size()));
+      if (added) ends_.push_back(ends);
+      element.edges[e] = static_cast<std::uint32_t>(vertices) + place->second;
+    }
+  }
+  for (const auto& ends : ends_) held_.push_back(held_[ends[0]] && held_[ends[1]]);
+}
+
+/// Accelerations of the inner vertices, and from there on, ring by ring, the means of what is known around.
+EnrichedStress::Vectors EnrichedStress::field_of_forces(const Vectors& forces, const std::vector<double>& masses,
+                                                        const std::vector<char>& surface) const {
+  Vectors field(masses.size(), Vector3d::Zero());
+  std::vector<char> known(masses.size());
+  const auto take = [&](bool of_surface) {
+    for (std::size_t v = 0; v < known.size(); ++v) {
+      if (masses[v] == 0 || held_[v] || known[v] || (surface[v] && !of_surface)) continue;
+      field[v] = forces[v] / masses[v];
+      known[v] = 1;
+    }
+  };
+  take(false);
+  for (bool thin = false;; thin = true) {
+    for (bool grows = true; grows;) {
+      Vectors sum(known.size(), Vector3d::Zero());
+      std::vector<int> count(known.size());
+      for (const auto& [a, b] : ends_)
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
+          if (known[from] && !known[to]) {
+            sum[to] += field[from];
+            ++count[to];
+          }
+      grows = false;
+      for (std::size_t v = 0; v < known.size(); ++v)
+        if (count[v] > 0) {
+          field[v] = sum[v] / count[v];
+          known[v] = grows = true;
+        }
+    }
+    if (thin) return field;
+    take(true);  // parts without inner vertices
+  }
+}
+
+EnrichedStress::Vectors EnrichedStress::loads_of_edges() const {
+  const std::size_t vertices = held_.size() - ends_.size();
+  Vectors forces(vertices, Vector3d::Zero()), residual(held_.size(), Vector3d::Zero());
+  std::vector<double> masses(vertices), areas(vertices);
+  std::vector<Tet> linear;
+  for (const Element& element : elements_) {
+    const Tet& tet = model_.tets[element.tet];
+    linear.push_back(tet);
+    const double mass = model_.materials[model_.tet_material[element.tet]].density * element.rest.volume / 4;
+    for (std::size_t a = 0; a < 4; ++a) {
+      forces[tet[a]] += element.forces.col(static_cast<int>(a));
+      masses[tet[a]] += mass;
+    }
+  }
+  std::vector<char> surface(vertices);
+  const std::vector<Triangle> faces = boundary_triangles(linear);
+  const auto area_of = [&](const Triangle& face) {
+    const Vector3d& x = model_.rest_positions[face[0]];
+    return 0.5 * (model_.rest_positions[face[1]] - x).cross(model_.rest_positions[face[2]] - x).norm();
+  };
+  for (const Triangle& face : faces)
+    for (const std::uint32_t v : face) {
+      surface[v] = 1;
+      areas[v] += area_of(face) / 3;
+    }
+  const Vectors field = field_of_forces(forces, masses, surface);
+  std::map<std::array<std::uint32_t, 2>, std::size_t> numbers;
+  for (const Element& element : elements_) {
+    const Tet& tet = model_.tets[element.tet];
+    const double mass = model_.materials[model_.tet_material[element.tet]].density * element.rest.volume;
+    Vector3d all = Vector3d::Zero();
+    for (const std::uint32_t v : tet) all += field[v];
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto [a, b] = kEdges[e];
+      const Vector3d ends = field[tet[static_cast<std::size_t>(a)]] + field[tet[static_cast<std::size_t>(b)]];
+      residual[element.edges[e]] += mass / 30 * (all + ends) - element.forces.col(a) - element.forces.col(b);
+    }
+  }
+  for (std::size_t e = 0; e < ends_.size(); ++e)
+    if (surface[ends_[e][0]] && surface[ends_[e][1]]) numbers.emplace(ends_[e], vertices + e);
+  const auto traction_at = [&](std::uint32_t v) -> Vector3d {
+    if (held_[v]) return Vector3d::Zero();
+    return (forces[v] - masses[v] * field[v]) / areas[v];
+  };
+  for (const Triangle& face : faces) {
+    const double area = area_of(face);
+    const Vector3d all = traction_at(face[0]) + traction_at(face[1]) + traction_at(face[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<std::uint32_t, 2> ends{face[k], face[(k + 1) % 3]};
+      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+      residual[numbers.at(ends)] += area / 15 * (all + traction_at(ends[0]) + traction_at(ends[1]));
+    }
+  }
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    if (held_[i]) residual[i].setZero();
+  return residual;
+}
+
+Matrix3d EnrichedStress::gradient_at(const Element& element, const Vectors& of, const Vector4d& barycentric) const {
+  const Tet& tet = model_.tets[element.tet];
+  Matrix3d gradient = Matrix3d::Zero();
+  for (std::size_t a = 0; a < 4; ++a)
+    gradient += of[tet[a]] * element.rest.gradients.col(static_cast<int>(a)).transpose();
+  for (std::size_t e = 0; e < 6; ++e)
+    gradient += of[element.edges[e]] * edge_gradient(element.rest, kEdges[e][0], kEdges[e][1], barycentric).transpose();
+  return element.rotation.transpose() * gradient;
+}
+
+Matrix3d EnrichedStress::mean_gradient(const Element& element, const Vectors& of) const {
+  return gradient_at(element, of, Vector4d::Constant(0.25));  // it is linear in the tet
+}
+
+Matrix3d EnrichedStress::stress_at(const Element& element, const Vectors& of, const Vector4d& barycentric,
+                                   double mean_trace) const {
+  const Material& material = model_.materials[model_.tet_material[element.tet]];
+  const Matrix3d gradient = gradient_at(element, of, barycentric);
+  return material.lame_mu() * (gradient + gradient.transpose()) +
+         material.lame_lambda() * mean_trace * Matrix3d::Identity();
+}
+
+EnrichedStress::Vectors EnrichedStress::apply(const Vectors& to) const {
+  Vectors result(to.size(), Vector3d::Zero());
+  for (const Element& element : elements_) {
+    const Tet& tet = model_.tets[element.tet];
+    const double trace = mean_gradient(element, to).trace(), weight = element.rest.volume / 4;
+    for (const Vector4d& point : points()) {
+      const Matrix3d stress = weight * element.rotation * stress_at(element, to, point, trace);
+      for (std::size_t a = 0; a < 4; ++a) result[tet[a]] += stress * element.rest.gradients.col(static_cast<int>(a));
+      for (std::size_t e = 0; e < 6; ++e)
+        result[element.edges[e]] += stress * edge_gradient(element.rest, kEdges[e][0], kEdges[e][1], point);
+    }
+  }
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (held_[i]) result[i].setZero();
+  return result;
+}
+
+void EnrichedStress::solve(const Vectors& residual, const std::stop_token& stop) {
+  const std::size_t vertices = held_.size() - ends_.size();
+  std::vector<int> places(vertices, -1);  // of the unknowns of vertices
+  int unknowns = 0;
+  std::vector<char> used(vertices);
+  for (const Element& element : elements_)
+    for (const std::uint32_t v : model_.tets[element.tet]) used[v] = 1;
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (used[v] && !held_[v]) places[v] = 3 * unknowns++;
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<Matrix3d> blocks(ends_.size(), Matrix3d::Zero());
+  for (const Element& element : elements_) {
+    const Material& material = model_.materials[model_.tet_material[element.tet]];
+    const double mu = material.lame_mu(), lambda = material.lame_lambda(), volume = element.rest.volume;
+    const Tet& tet = model_.tets[element.tet];
+    const Eigen::Matrix<double, 3, 4> turned = element.rotation * element.rest.gradients;
+    for (std::size_t a = 0; a < 4; ++a)
+      for (std::size_t b = 0; b < 4; ++b) {
+        const int row = places[tet[a]], column = places[tet[b]];
+        if (row < 0 || column < 0 || column > row) continue;
+        const Vector3d ga = turned.col(static_cast<int>(a)), gb = turned.col(static_cast<int>(b));
+        Matrix3d block =
+            volume * (mu * (ga.dot(gb) * Matrix3d::Identity() + gb * ga.transpose()) + lambda * ga * gb.transpose());
+        if (row == column) block.diagonal() *= 1 + 1e-9;  // what nothing holds
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) entries.emplace_back(row + i, column + j, block(i, j));
+      }
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto [a, b] = kEdges[e];
+      Matrix3d& block = blocks[element.edges[e] - vertices];
+      const Vector3d mean = turned.col(a) + turned.col(b);
+      block += lambda * volume * mean * mean.transpose();
+      for (const Vector4d& point : points()) {
+        const Vector3d g = 4 * (point[a] * turned.col(b) + point[b] * turned.col(a));
+        block += volume / 4 * mu * (g.squaredNorm() * Matrix3d::Identity() + g * g.transpose());
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(3 * unknowns, 3 * unknowns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  if (stop.stop_requested()) return;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> linear(matrix);
+  for (Matrix3d& block : blocks) block = Matrix3d(block.inverse());
+  if (linear.info() != Eigen::Success) return;
+  const auto precondition = [&](const Vectors& r) {
+    Vectors z(r.size(), Vector3d::Zero());
+    Eigen::VectorXd right(3 * unknowns);
+    for (std::size_t v = 0; v < vertices; ++v)
+      if (places[v] >= 0) right.segment<3>(places[v]) = r[v];
+    const Eigen::VectorXd solved = linear.solve(right);
+    for (std::size_t v = 0; v < vertices; ++v)
+      if (places[v] >= 0) z[v] = solved.segment<3>(places[v]);
+    for (std::size_t e = 0; e < blocks.size(); ++e)
+      if (!held_[vertices + e]) z[vertices + e] = blocks[e] * r[vertices + e];
+    return z;
+  };
+
+  constexpr int kMost = 500;
+  constexpr double kShare = 1e-6;  // of the squared residual in the norm of the preconditioner
+  Vectors left = residual, z = precondition(left), way = z;
+  double size = dot(left, z);
+  const double enough = kShare * size;
+  for (int i = 0; i < kMost && size > enough; ++i) {
+    if (stop.stop_requested()) return delta_.assign(delta_.size(), Vector3d::Zero());
+    const Vectors force = apply(way);
+    const double length = size / dot(way, force);
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      delta_[k] += length * way[k];
+      left[k] -= length * force[k];
+    }
+    z = precondition(left);
+    const double before = std::exchange(size, dot(left, z));
+    for (std::size_t k = 0; k < way.size(); ++k) way[k] = z[k] + size / before * way[k];
+  }
+}
+
+Vector6d EnrichedStress::at(std::size_t tet, const Vector4d& barycentric) const {
+  const Element& element = elements_[element_of_[tet]];
+  return components_of(stress_at(element, delta_, barycentric, mean_gradient(element, delta_).trace()));
+}
+
+}  // namespace fascia
