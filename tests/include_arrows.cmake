@@ -9,7 +9,7 @@ set(arrows
   "gl: base"
   "gl/context: base gl"
   "gl/timing: gl"
-  "sim/accuracy: sim/elements sim/material sim/model sim/reference"
+  "sim/accuracy: sim/elements sim/material sim/mesh sim/model sim/reference"
   "sim/bare_mesh: base sim/elements sim/grab sim/material sim/mesh sim/model sim/reference sim/surface"
   "sim/coarse: sim/material sim/mesh sim/model"
   "sim/contact: base sim/mesh sim/model sim/surface sim/tool"
