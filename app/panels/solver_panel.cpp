@@ -96,8 +96,7 @@ void error_bars(const StepError& error) {
   error_bar(
       "Mesh", error.mesh,
       "Estimated error of this shape relative to the displacement: a finer mesh or quadratic tets make it smaller");
-  constexpr const char* kPeak =
-      "The same error of the recovered von Mises stress that 1 % of the volume exceeds; of the mesh a lower bound";
+  constexpr const char* kPeak = "The same error of the recovered von Mises stress that 1 % of the volume exceeds";
   if (error.peak_stress.solver) error_bar("Peak stress: solver", *error.peak_stress.solver, kPeak);
   if (error.peak_stress.time) error_bar("Peak stress: time step", *error.peak_stress.time, kPeak);
   error_bar("Peak stress: mesh", error.peak_stress.mesh, kPeak);

@@ -1,12 +1,14 @@
 #include "sim/accuracy/enriched_stress.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "sim/accuracy/recovered_stress.h"
+#include "sim/elements/quadratic_tet.h"
 #include "sim/mesh/tet_faces.h"
 
 namespace fascia {
@@ -22,11 +24,10 @@ constexpr std::array<std::array<int, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 
 /// Exact for polynomials of degree 2; equal weights.
 const std::array<Vector4d, 4>& points() {
   static const std::array<Vector4d, 4> all = [] {
-    constexpr double kNear = 0.58541019662496845446, kFar = 0.13819660112501051518;
     std::array<Vector4d, 4> made;
     for (int p = 0; p < 4; ++p) {
-      made[static_cast<std::size_t>(p)].setConstant(kFar);
-      made[static_cast<std::size_t>(p)][p] = kNear;
+      made[static_cast<std::size_t>(p)].setConstant(QuadraticTet::kFar);
+      made[static_cast<std::size_t>(p)][p] = QuadraticTet::kNear;
     }
     return made;
   }();
@@ -281,7 +282,7 @@ void EnrichedStress::solve(const Vectors& residual, const std::stop_token& stop)
   double size = dot(left, z);
   const double enough = kShare * size;
   for (int i = 0; i < kMost && size > enough; ++i) {
-    if (stop.stop_requested()) return delta_.assign(delta_.size(), Vector3d::Zero());
+    if (stop.stop_requested()) return;
     const Vectors force = apply(way);
     const double length = size / dot(way, force);
     for (std::size_t k = 0; k < way.size(); ++k) {
@@ -292,6 +293,7 @@ void EnrichedStress::solve(const Vectors& residual, const std::stop_token& stop)
     const double before = std::exchange(size, dot(left, z));
     for (std::size_t k = 0; k < way.size(); ++k) way[k] = z[k] + size / before * way[k];
   }
+  converged_ = size <= enough;
 }
 
 Vector6d EnrichedStress::at(std::size_t tet, const Vector4d& barycentric) const {

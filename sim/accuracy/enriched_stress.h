@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -28,8 +27,11 @@ class EnrichedStress {
  public:
   static constexpr std::size_t kMostTets = 50'000;  // factorized in some seconds
 
-  /// Of the linear tets of a model, which must not change. Zeros once `stop` is requested.
+  /// Of the linear tets of a model, which must not change. Ends early once `stop` is requested.
   EnrichedStress(const Model& model, const State& state, const std::stop_token& stop = {});
+
+  /// Whether the search ended: not if it was stopped, or tets are too flat for the factorization or the iterations.
+  bool converged() const { return converged_; }
 
   /// What a linear tet's T (sim/accuracy/recovered_stress.h) lacks at barycentric coordinates [Pa]: xx, yy, zz, yz, xz,
   /// xy.
@@ -63,6 +65,7 @@ class EnrichedStress {
   std::vector<std::uint32_t> element_of_;           // [tet]
   std::vector<std::array<std::uint32_t, 2>> ends_;  // [edge]
   Vectors delta_;
+  bool converged_ = false;
 };
 
 }  // namespace fascia

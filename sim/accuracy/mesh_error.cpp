@@ -56,11 +56,11 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
   const auto linear = static_cast<std::size_t>(
       std::count_if(model.tets.begin(), model.tets.end(),
                     [&, t = std::size_t{0}](const Tet&) mutable { return !model.is_quadratic(t++); }));
-  const bool enriches = linear <= EnrichedStress::kMostTets;
   std::optional<EnrichedStress> enriched;
   std::optional<RecoveredStress> recovered;
-  if (enriches && linear > 0) enriched.emplace(model, state, stop);
-  if (!enriches || linear < model.tets.size()) recovered.emplace(model, state, stop);
+  if (linear > 0 && linear <= EnrichedStress::kMostTets) enriched.emplace(model, state, stop);
+  if (enriched && !enriched->converged()) enriched.reset();
+  if (!enriched || linear < model.tets.size()) recovered.emplace(model, state, stop);
   std::vector<Eigen::Vector4d> points;
   for (const VolumePoint& point : volume_points()) points.push_back(point.barycentric);
   std::vector<double> squares;               // [tet_count] mean [J/m^3]

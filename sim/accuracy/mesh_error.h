@@ -3,10 +3,10 @@
 //   e^2 = int (T* - T) : D^-1 (T* - T) dV       (Zienkiewicz, Zhu 1987)
 //
 // of linear tets, with the stress T* that they would have if their edges could bend (sim/accuracy/enriched_stress.h),
-// and where those are too many with the one that is recovered by patches (sim/accuracy/recovered_stress.h), is the
-// squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work is short of: e^2 / (T*
-// : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on it. Where motions are
-// prescribed and nothing pulls, it is that of the reactions.
+// and where that is not found, or they are too many, with the one that is recovered by patches
+// (sim/accuracy/recovered_stress.h), is the squared error in the energy norm. By Galerkin's orthogonality it is also
+// what the load's work is short of: e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by
+// the load that acts on it. Where motions are prescribed and nothing pulls, it is that of the reactions.
 //
 // Quadratic tets, whose T* is recovered, take the change of volume theta of their energy on average, and are then too
 // soft rather than too stiff. The same derivation gives, with strains eps* = D^-1 T* and p* = lambda tr eps*,

@@ -19,7 +19,9 @@ using test::two_level;
 // Cubes of 2 and 3 cm that meet off their middles, at 0.6 m/s.
 Model stiff_cubes(double young_modulus) {
   const Model first = test::moved(cube(0.02, 2, soft_tissue(young_modulus)), {0, 0.004, 0.002}, {0.5, 0, 0});
-  const Model second = test::moved(cube(0.03, 3, soft_tissue(young_modulus)), {0.0245, 0, 0}, {-0.1, 0, 0});
+  Model second = test::moved(cube(0.03, 3, soft_tissue(young_modulus)), {0.0245, 0, 0}, {-0.1, 0, 0});
+  second.rest_positions.emplace_back(0.03, 0.02, 0.02);  // of no tet
+  second.initial_velocity.emplace_back(0, 0, 0);
   Model model = test::beside(first, second, "second");
   model.gravity.setZero();
   return model;
