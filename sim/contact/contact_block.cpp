@@ -10,15 +10,14 @@ Vector3d within(const Vector3d& q, double bound) {
   return length > bound ? Vector3d(q * (bound / length)) : q;
 }
 
-double sticking_energy(const Vector3d& q, double bound, double stiffness) {
+double sticking_energy(const Vector3d& q, double bound, double penalty) {
   const double length = q.norm();
-  return (length <= bound ? 0.5 * length * length : bound * length - 0.5 * bound * bound) /
-         (kStickingPenalty * stiffness);
+  return (length <= bound ? 0.5 * length * length : bound * length - 0.5 * bound * bound) / penalty;
 }
 
-Matrix3d sticking_hessian(const Vector3d& q, double bound, double stiffness, const Vector3d& n) {
+Matrix3d sticking_hessian(const Vector3d& q, double bound, double penalty, const Vector3d& n) {
   const Matrix3d across = Matrix3d::Identity() - n * n.transpose();
-  const double length = q.norm(), penalty = kStickingPenalty * stiffness;
+  const double length = q.norm();
   if (length <= bound) return penalty * across;
   const Vector3d along = q / length;
   return penalty * (bound / length) * (across - along * along.transpose());

@@ -5,7 +5,8 @@
 // skin's thickness, n its normal, k the penalty, and lambda and t the forces that the step before left:
 //
 //   normal    (max(0, lambda - k d)^2 - lambda^2) / (2 k)
-//   friction  with s the way of x against the piece across its normal n0 at the start, c = kStickingPenalty k,
+//   friction  with s the way of x against the piece across its normal n0 at the start, c the penalty on sliding
+//   (contact_block.h),
 //             q = t - c s, b = mu lambda:  |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c
 //   force on the tissue  max(0, lambda - k d) n + q min(1, b / |q|)
 //
@@ -55,6 +56,7 @@ class ContactEnergy {
     RigidPose pose;          // at the end
     Eigen::Vector3d origin;  // of the tool, at the end
     double friction, share;  // of the penalty and the area at level 0
+    double sticking;         // penalty on sliding over that on depth
   };
   struct Row {
     double stiffness;

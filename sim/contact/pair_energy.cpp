@@ -46,7 +46,7 @@ double PairEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* magni
     const double before = before_[i].normal, bound = friction_ * before;
     if (contact.pressing == 0 && before == 0) continue;
     energy += 0.5 * (contact.pressing - before) * (contact.pressing + before) / rows_[i].stiffness;
-    if (bound > 0) energy += sticking_energy(contact.tangential, bound, rows_[i].stiffness);
+    if (bound > 0) energy += sticking_energy(contact.tangential, bound, kStickingPenalty * rows_[i].stiffness);
     const Vector3d force = force_of(i, contact);
     for (std::size_t k = 0; k < 4; ++k) {
       const Eigen::Index at = 3 * static_cast<Eigen::Index>(rows_[i].vertices[k]);
@@ -83,7 +83,7 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
     if (!touches && bound == 0) continue;
     Matrix3d hessian = Matrix3d::Zero();
     if (touches) hessian += row.stiffness * row.normal * row.normal.transpose();
-    if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.stiffness, row.normal);
+    if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, kStickingPenalty * row.stiffness, row.normal);
     const double reach = reach_of(row, u);
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = 0; b < 4; ++b)

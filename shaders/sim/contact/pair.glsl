@@ -17,7 +17,8 @@ Row row_of(uint pair, vec3 u, vec4 memory) {
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = front.xyz;
   r.bound = friction_of_pair(pair) * r.before;
-  vec3 q = memory.xyz - STICKING * r.penalty * way;
+  r.sliding = STICKING * r.penalty;
+  vec3 q = memory.xyz - r.sliding * way;
   r.across = r.bound > 0.0 ? q - dot(q, front.xyz) * front.xyz : vec3(0.0);
   return r;
 }

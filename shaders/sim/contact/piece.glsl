@@ -25,6 +25,7 @@ float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
 float finest_radius(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 10u).w; }
+bool is_plane(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 4u).w == 2.0; }
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 

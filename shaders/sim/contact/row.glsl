@@ -1,11 +1,13 @@
 // The force, the energy and the stiffness of a row, a contact point at a piece of a tool, as sim/contact/contact_energy.h
-// states them, without the curvature of the tool's surface. STICKING: the penalty on sliding over that on depth.
+// states them, without the curvature of the tool's surface. STICKING, PASSING: the penalty on sliding over that on depth, of planes and
+// pairs, and of other shapes.
 #include "common/symmetric.glsl"
 #include "sim/contact/piece.glsl"
 INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the plane that stands for the piece, or NO_PLANE
 
 struct Row {
-  float pressing, before, depth, penalty;  // N [N], lambda [N], -d [m], k [N/m]
+  float pressing, before, depth;           // N [N], lambda [N], -d [m]
+  float penalty, sliding;                  // k, c [N/m]
   vec3 normal, across;                     // n, and q [N], 0 without friction
   float bound;                             // b [N]
 };
@@ -27,7 +29,8 @@ Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec3 anchor) {
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;
   r.bound = friction_of(piece) * r.before;
-  vec3 q = pose.axes * memory.xyz - STICKING * r.penalty * (u - anchor);
+  r.sliding = (is_plane(piece) ? STICKING : PASSING) * r.penalty;
+  vec3 q = pose.axes * memory.xyz - r.sliding * (u - anchor);
   r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);
   return r;
 }
@@ -41,7 +44,8 @@ vec3 force_of(Row r) { return r.pressing * r.normal + within(r.across, r.bound);
 
 float energy_of(Row r) {
   float q = length(r.across);
-  return (0.5 * (r.pressing - r.before) * (r.pressing + r.before) + (1.0 / STICKING) * (q <= r.bound ? 0.5 * q * q : r.bound * (q - 0.5 * r.bound))) / r.penalty;
+  return 0.5 * (r.pressing - r.before) * (r.pressing + r.before) / r.penalty +
+         (q <= r.bound ? 0.5 * q * q : r.bound * (q - 0.5 * r.bound)) / r.sliding;
 }
 
 void add_outer(inout Sym3 sum, float weight, vec3 v) {
@@ -53,8 +57,8 @@ void add_outer(inout Sym3 sum, float weight, vec3 v) {
 void add_stiffness(inout Sym3 sum, Row r, vec3 n0) {
   if (r.pressing > 0.0) add_outer(sum, r.penalty, r.normal);
   if (r.bound <= 0.0) return;
-  float q = length(r.across), share = STICKING * (q <= r.bound ? 1.0 : r.bound / q);
-  sum.d += r.penalty * share;
-  add_outer(sum, -r.penalty * share, n0);
-  if (q > r.bound) add_outer(sum, -r.penalty * share / (q * q), r.across);
+  float q = length(r.across), penalty = r.sliding * (q <= r.bound ? 1.0 : r.bound / q);
+  sum.d += penalty;
+  add_outer(sum, -penalty, n0);
+  if (q > r.bound) add_outer(sum, -penalty / (q * q), r.across);
 }
