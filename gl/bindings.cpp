@@ -1,6 +1,8 @@
 #include "gl/bindings.h"
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 namespace fascia::gl {
 namespace {
@@ -12,10 +14,16 @@ std::map<GLuint, GLuint> bound;  // point -> buffer, within a scope
 }  // namespace
 
 GLuint binding_point(const std::string& block, std::set<GLuint>& taken) {
-  static std::map<std::string, GLuint> numbers;  // in the order in which the names came up
-  const auto points = static_cast<GLuint>(device().max_storage_bindings);
-  GLuint point = numbers.emplace(block, static_cast<GLuint>(numbers.size())).first->second % points;
-  while (!taken.insert(point).second) point = (point + 1) % points;
+  static std::map<std::string, GLuint> points;  // of names
+  static std::vector<std::uint64_t> asked;      // [point] when one of its names was last asked for
+  static std::uint64_t now = 0;
+  asked.resize(static_cast<std::size_t>(device().max_storage_bindings));
+  const auto [of_block, is_new] = points.emplace(block, 0);
+  if (is_new || of_block->second >= asked.size())
+    of_block->second = static_cast<GLuint>(std::min_element(asked.begin(), asked.end()) - asked.begin());
+  GLuint point = of_block->second;
+  asked[point] = ++now;
+  while (!taken.insert(point).second) point = (point + 1) % static_cast<GLuint>(asked.size());
   return point;
 }
 

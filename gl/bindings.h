@@ -9,7 +9,9 @@
 
 namespace fascia::gl {
 
-/// A point for a block of this name that is not in `taken`, to which it is added.
+/// A point for a block of this name that is not in `taken`, to which it is added. Where there are more names than
+/// points, a new name shares the point that was asked for least recently: most likely no kernel of the same step uses
+/// it.
 GLuint binding_point(const std::string& block, std::set<GLuint>& taken);
 
 /// Binds a buffer to a point of GL_SHADER_STORAGE_BUFFER.

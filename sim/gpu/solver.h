@@ -167,8 +167,9 @@ class GpuSolver {
   int alike_from(int iteration) const;  // the first later iteration that runs other passes
   void settings_changed();
   struct StepPasses {
-    // Of one substep. `again`: for further iterations of the same stage, from where the last ones ended
-    Passes begin, again, before_first, before, refresh, first_iteration, iteration, end;
+    // Of one substep. `again`: for further iterations of the same stage, from where the last ones ended; `completion`:
+    // after an iteration whose state something looks at
+    Passes begin, again, before_first, before, refresh, first_iteration, iteration, completion, end;
     std::array<const Passes*, 7> lists() const {
       return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &end};
     }

@@ -95,7 +95,8 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   }
   append(passes.begin, r.beginnings());
   append(passes.begin, method_->begin(r));
-  if (const StepGradient* gradient = method_->gradient()) passes.before_first = passes.before = gradient->passes(r);
+  passes.before_first = method_->before(r, true);
+  passes.before = method_->before(r, false);
   passes.refresh = method_->refresh(r);
   if (multiplier_weight_) {
     gl::ComputePass::Bindings bindings{{"step", &buffers_.step},
@@ -109,10 +110,11 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   if (acceleration_) append(passes.begin, acceleration_->begin(r));
   passes.first_iteration = iteration(r, true);
   passes.iteration = iteration(r, false);
+  passes.completion = method_->complete_iteration(r);
   passes.end = method_->end(r);
   if (stop_) {
     stop_->record(r, passes.before_first, passes.before,
-                  {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.end});
+                  {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.completion, &passes.end});
     before_every_ = stop_->interval();
   }
   append(passes.end, r.endings());

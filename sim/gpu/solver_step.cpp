@@ -296,6 +296,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
   diagnose();
   for (int i = 0; i < settings_.iterations; ++i) {
     iterate(i);
+    run(kind_->passes.completion);
     diagnose();
   }
   end_stage();

@@ -23,6 +23,22 @@ TEST_CASE("a block has one binding point in all kernels, unless another block of
   CHECK(*all.rbegin() < static_cast<GLuint>(device().max_storage_bindings));
 }
 
+TEST_CASE("a new block shares the binding point that was asked for least recently") {
+  const auto context = test::each_context();
+  const int points = device().max_storage_bindings;
+  const auto point_of = [](const std::string& block) {
+    std::set<GLuint> taken;
+    return binding_point(block, taken);
+  };
+  const std::string stem = "Of_" + context->name() + "_";
+  std::map<std::string, GLuint> filled;
+  for (int i = 0; i < points; ++i) filled[stem + std::to_string(i)] = point_of(stem + std::to_string(i));
+  const auto [idle, left] = *std::next(filled.begin(), points / 2);
+  for (const auto& [block, point] : filled)
+    if (block != idle) CHECK(point_of(block) == point);
+  CHECK(point_of(stem + "Latecomer") == left);
+}
+
 TEST_CASE("a binding is made again only outside of a scope, or after its buffer has ended") {
   const auto context = test::each_context();
   Buffer a("a", 64), b("b", 64);

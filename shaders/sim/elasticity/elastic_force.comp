@@ -8,7 +8,7 @@
 #include "common/pair_slots.glsl"
 #include "sim/elasticity/elasticity.glsl"
 COMPUTE_1D
-INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+#include "sim/elasticity/feature_step.glsl"
 #if COMPENSATED
 INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u that float32 cannot represent [m]
 #endif
@@ -16,7 +16,8 @@ INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u t
 void main() {
   ITEM_OR_RETURN(i)
   TetPair pair = load_pair(i);
-  PairGradient h = GRADIENTS(pair, displacement);
+  PairGradient h = gradients(pair, displacement_of(pair.a.v.x), displacement_of(pair.a.v.y), displacement_of(pair.a.v.z),
+                             displacement_of(pair.a.v.w), displacement_of(pair.b.v.w));
 #if COMPENSATED
   PairGradient low = GRADIENTS(pair, displacement_low);
   h = PairGradient(h.a + low.a, h.b + low.b);

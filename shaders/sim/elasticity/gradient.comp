@@ -1,16 +1,34 @@
 // Gradient g = M (u - u~) + h^2 dU/du of the step's objective at every vertex, including external energies, 0 where
 // constrained, with the vertex's share of the objective in w. After elastic_force. A gather in fixed order, so runs
-// repeat bit for bit.
+// repeat bit for bit. With MOVES it applies the step that elastic_force has computed with (feature_step.glsl).
 #include "common/io.glsl"
 #include "common/step.glsl"
 COMPUTE_1D
-INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
 INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
 INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)      // [slots] from elastic_force
 #include "sim/energy/terms.glsl"
-OUTPUT(vec4, Gradient, gradient)  // [vertex_count] xyz g [kg m], w objective [kg m^2]
+#if MOVES
+#include "sim/two_level/subspace_move.glsl"
+INOUT(vec4, Iterate, iterate)                      // [vertex_count] u [m]
+INOUT(vec4, LastStep, last_step)                   // [vertex_count] p [m]
+INOUT(vec4, Gradient, gradient)                    // [vertex_count] xyz g [kg m], w objective [kg m^2]
+OUTPUT(vec4, PreviousGradient, previous_gradient)  // [vertex_count] g before the new p
+
+vec3 move(uint i) {
+  vec3 p = last_step[i].xyz, u = moved(iterate[i].xyz, i, p), last = along_span(SUBSPACE_LAST_STEP, i, p);
+  iterate[i].xyz = u;
+  STORE3(last_step[i], last)
+  if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) STORE3(previous_gradient[i], gradient[i].xyz)
+  return u;
+}
+#else
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+OUTPUT(vec4, Gradient, gradient)        // [vertex_count] xyz g [kg m], w objective [kg m^2]
+
+vec3 move(uint i) { return FETCH(displacement, i).xyz; }
+#endif
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -18,7 +36,7 @@ void main() {
   vec4 sum = vec4(0.0);
   for (uint k = FETCH1(slot_begin, i); k < end; ++k) sum += FETCH(correction, k);
   vec4 predicted_i = FETCH(predicted, i);
-  vec3 u = FETCH(displacement, i).xyz, d = u - predicted_i.xyz;
+  vec3 u = move(i), d = u - predicted_i.xyz;
   float m = FETCH1(mass, i);
   vec4 more = external_gradient(i, u, SUBSTEP * SUBSTEP);
   vec4 g = sum + vec4(m * d + more.xyz, 0.5 * (m * dot(d, d) + more.w));

@@ -5,7 +5,7 @@
 #include "common/quadratic_slots.glsl"
 #include "sim/quadratic/law.glsl"
 COMPUTE_1D
-INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+#include "sim/elasticity/feature_step.glsl"
 #if COMPENSATED
 INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u that float32 cannot represent [m]
 #endif
@@ -14,7 +14,11 @@ void main() {
   ITEM_OR_RETURN(e)
   uint t = FIRST_QUADRATIC + e;
   Tet tet = load_tet(t);
-  PointGradients h = POINT_GRADIENTS(e, tet, displacement);
+  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
+  PointGradients h = at_points(corner_gradients(tet, displacement_of(tet.v.x), displacement_of(tet.v.y), displacement_of(tet.v.z),
+                                                displacement_of(tet.v.w), displacement_of(m.x), displacement_of(m.y),
+                                                displacement_of(m.z), displacement_of(m.w), displacement_of(n.x), displacement_of(n.y)));
 #if COMPENSATED
   PointGradients low = POINT_GRADIENTS(e, tet, displacement_low);
   for (int q = 0; q < 4; ++q) h.at[q] += low.at[q];

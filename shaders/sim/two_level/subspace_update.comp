@@ -1,13 +1,11 @@
-// Applies the step of subspace_solve.
+// Applies the step of subspace_solve, unless the next gradient does (sim/elasticity/feature_step.glsl).
 #include "common/io.glsl"
 #include "sim/two_level/subspace_state.glsl"
 COMPUTE_1D
+#if FINAL
 INPUT_FLOAT(SubspaceState, subspace_state)
-#if !FINAL
-INPUT_VEC4(FineDirection, fine_direction)  // [vertex_count] z_f [m]
-#if SPLIT
-INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
-#endif
+#else
+#include "sim/two_level/subspace_move.glsl"
 INPUT_VEC4(Gradient, gradient)                   // [vertex_count] g [kg m]
 OUTPUT(vec4, PreviousGradient, previous_gradient)  // [vertex_count] g before the new p
 OUTPUT(vec4, LastStep, last_step)                  // [vertex_count] the new p
@@ -23,17 +21,11 @@ OUTPUT(vec4, DisplacementLow, displacement_low)
 void main() {
   ITEM_OR_RETURN(i)
   vec3 p = FETCH_IN_PLACE(step_before, i).xyz;
+#if FINAL
   vec3 step = FETCH1(subspace_state, SUBSPACE_STEP + 2u) * p;
-#if !FINAL
-  vec3 zf = FETCH(fine_direction, i).xyz;
-  step += FETCH1(subspace_state, SUBSPACE_STEP) * zf;
-  vec3 last = FETCH1(subspace_state, SUBSPACE_LAST_STEP) * zf + FETCH1(subspace_state, SUBSPACE_LAST_STEP + 2u) * p;
-#if SPLIT
-  vec3 zc = FETCH(coarse_direction, i).xyz;
-  step += FETCH1(subspace_state, SUBSPACE_STEP + 1u) * zc;
-  last += FETCH1(subspace_state, SUBSPACE_LAST_STEP + 1u) * zc;
-#endif
-  STORE3(last_step[i], last)
+#else
+  vec3 step = along_span(SUBSPACE_STEP, i, p);
+  STORE3(last_step[i], along_span(SUBSPACE_LAST_STEP, i, p))
   if (FETCH1(subspace_state, SUBSPACE_ACCEPTED) > 0.5) STORE3(previous_gradient[i], FETCH(gradient, i).xyz)
 #endif
 #if COMPENSATED
@@ -44,6 +36,7 @@ void main() {
   displacement[i].xyz = sum;
   STORE3(displacement_low[i], lost)
 #else
-  displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + step;
+  precise vec3 sum = FETCH_IN_PLACE(iterate, i).xyz + step;
+  displacement[i].xyz = sum;
 #endif
 }

@@ -41,6 +41,8 @@ class StepMethod {
   /// The gradient that methods that descend the step's objective compute before every iteration; null for the others.
   virtual const StepGradient* gradient() const { return nullptr; }
   virtual Passes begin(const Recording&) const { return {}; }  // once per substep, after the prediction
+  /// Before every iteration, and before those of refresh().
+  virtual Passes before(const Recording&, bool first) const { return static_cast<void>(first), Passes{}; }
   /// Recomputes data that changes slowly enough to be reused for some iterations; runs before those of
   /// refreshes_before().
   virtual Passes refresh(const Recording&) const { return {}; }
@@ -54,6 +56,9 @@ class StepMethod {
   virtual Passes end(const Recording&) const {
     return {};
   }  // after the last iteration of a substep, unless a stop rule ended them
+  /// Between two iterations, for a look at the state: complete what before() or end() would. Empty where iterations
+  /// leave nothing to them.
+  virtual Passes complete_iteration(const Recording&) const { return {}; }
   /// Upper bounds on what the passes of an iteration may defer (deferred_tets.h). `fused`: whether the passes are fused
   /// (gl/fused_pass.h).
   virtual Deferral most_deferred(const SimBuffers&, bool fused) const { return static_cast<void>(fused), Deferral{}; }

@@ -89,12 +89,6 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                       gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
                       gl::ComputePass::Constants{{"partials", vertices_.partials}})
         .loops(vertices_.partials + Reduction::kGroup);
-  passes.push_back(r.over_vertices("sim/two_level/guess_take.comp", {},
-                                   {{"gradient", &gradient_.gradient()},
-                                    {"last_step", &last_step_},
-                                    {"previous_gradient", &previous_gradient_},
-                                    {"iterate", &r.buffers.displacement},
-                                    {"displacement", &r.buffers.displacement}}));
   append(passes, r.evaluations());  // the stiffness that the iterations start with
   if (!coarse_.empty()) append(passes, coarse_.begin(r, gradient_.gradient()));
   return passes;
@@ -146,6 +140,10 @@ gl::ComputePass TwoLevelMethod::blocks_in_contact(const Recording& r, bool first
   return pass;
 }
 
+Passes TwoLevelMethod::before(const Recording& r, bool first) const {
+  return gradient_.passes(r, first ? std::nullopt : pending(r));
+}
+
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
   if (!first && r.has_blocks()) passes.push_back(blocks_in_contact(r, false));
@@ -187,8 +185,16 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
 }
 
 Passes TwoLevelMethod::end(const Recording& r) const {
-  Passes passes = gradient_.passes(r);  // also reverts the last step if it raised the objective
+  Passes passes = gradient_.passes(r, pending(r));  // also reverts the last step if it raised the objective
   append(passes, subspace_step(r, false, true));
+  return passes;
+}
+
+Passes TwoLevelMethod::complete_iteration(const Recording& r) const {
+  if (!gradient_moves(r)) return {};
+  Passes passes{update(r, false)};
+  passes.emplace_back(r.programs.compute("sim/two_level/subspace_applied.comp"),
+                      gl::ComputePass::Bindings{{"subspace_state", &state_}}, 4);
   return passes;
 }
 
@@ -197,14 +203,24 @@ bool TwoLevelMethod::last_group_ends(const Recording& r) {
   return r.programs.load_path() == gl::LoadPath::storage && !r.deferred;
 }
 
-// The last group of the sum also keeps the objective before the first step or, with `final`, takes or reverts the last.
+// Not `final`: before the first step, which it then takes. The last group also keeps that objective or, with `final`,
+// decides whether the last step is reverted.
 gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r, bool final) const {
   gl::ComputePass::Bindings bindings{{"gradient", &gradient_.gradient()}, {"dot_partials", &partials_}};
-  if (!last_group_ends(r))
-    return r.sum_over_vertices("sim/two_level/objective_sum.comp", {}, std::move(bindings), vertices_);
-  bindings.insert(bindings.end(), {{"subspace_state", &state_}, {"arrivals", &arrivals_}});
-  return r.sum_over_vertices("sim/two_level/objective_sum.comp", {{"LAST_GROUP", "1"}, {"FINAL", final ? "1" : "0"}},
-                             std::move(bindings), vertices_, {{"partials", vertices_.partials}});
+  if (!final)
+    bindings.insert(bindings.end(), {{"last_step", &last_step_},
+                                     {"previous_gradient", &previous_gradient_},
+                                     {"iterate", &r.buffers.displacement},
+                                     {"displacement", &r.buffers.displacement}});
+  gl::Defines defines{{"FINAL", final ? "1" : "0"}};
+  gl::ComputePass::Constants constants;
+  if (last_group_ends(r)) {
+    defines.emplace_back("LAST_GROUP", "1");
+    bindings.insert(bindings.end(), {{"subspace_state", &state_}, {"arrivals", &arrivals_}});
+    constants.emplace_back("partials", vertices_.partials);
+  }
+  return r.sum_over_vertices("sim/two_level/objective_sum.comp", std::move(defines), std::move(bindings), vertices_,
+                             std::move(constants));
 }
 
 // A kernel that ends in the sums of sim/two_level/subspace_sums.glsl.
@@ -260,12 +276,7 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
 }
 
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
-  gl::Defines defines{{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}};
   Passes passes;
-  const auto with_coarse = [&](gl::ComputePass::Bindings bindings) {
-    if (splits_) bindings.emplace_back("coarse_direction", &coarse_direction_);
-    return bindings;
-  };
   const std::uint32_t of_terms = term_partials(r);
   gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
   if (last) {
@@ -273,17 +284,12 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
   } else {
     constants.emplace_back("curvature_count", pairs_.partials + quadratic_.partials + of_terms);
     constants.emplace_back("remembers", remembers_ && !first);
-    gl::ComputePass::Bindings curvature = with_coarse(
-        {{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}});
+    gl::ComputePass::Bindings curvature{
+        {"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}};
+    if (splits_) curvature.emplace_back("coarse_direction", &coarse_direction_);
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
-    const bool solves = last_group_ends(r) && of_terms == 0, quadratic_ends = r.buffers.quadratic_count > 0;
-    for (const bool quadratic : {false, true})
-      if ((quadratic ? r.buffers.quadratic_count : r.buffers.pair_and_single_count()) > 0)
-        append(passes,
-               this->curvature(r, quadratic, curvature_defines, curvature,
-                               solves && quadratic == quadratic_ends ? constants : gl::ComputePass::Constants{}));
     std::uint32_t next = 3 * vertices_.partials + pairs_.partials + quadratic_.partials;
     for (const EnergyTerm* term : r.terms) {
       if (!term->acts()) continue;
@@ -291,30 +297,59 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
                                      {fine_direction_, splits_ ? &coarse_direction_ : nullptr, partials_, next}));
       next += term->curvature_partials(r.programs);
     }
+    const bool quadratic_ends = r.buffers.quadratic_count > 0;
+    for (const bool quadratic : {false, true})
+      if ((quadratic ? r.buffers.quadratic_count : r.buffers.pair_and_single_count()) > 0)
+        append(passes,
+               this->curvature(
+                   r, quadratic, curvature_defines, curvature,
+                   last_group_ends(r) && quadratic == quadratic_ends ? constants : gl::ComputePass::Constants{}));
   }
-  if (!last_group_ends(r) || (!last && of_terms > 0))
+  if (!last_group_ends(r))
     passes
         .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
                       gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
                       std::move(constants))
         .loops(vertices_.partials + pairs_.partials + quadratic_.partials + of_terms + 2 * Reduction::kGroup);
-  gl::ComputePass::Bindings update{{"subspace_state", &state_},
-                                   {"step_before", &last_step_},
-                                   {"iterate", &r.buffers.displacement},
-                                   {"displacement", &r.buffers.displacement}};
-  if (!last) {
-    update = with_coarse(std::move(update));
-    update.emplace_back("fine_direction", &fine_direction_);
-    update.emplace_back("gradient", &gradient_.gradient());
-    update.emplace_back("previous_gradient", &previous_gradient_);
-    update.emplace_back("last_step", &last_step_);
-  }
-  defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
-  if (r.buffers.displacement_low)
-    update.insert(update.end(),
-                  {{"iterate_low", &r.buffers.displacement_low}, {"displacement_low", &r.buffers.displacement_low}});
-  passes.push_back(r.over_vertices("sim/two_level/subspace_update.comp", defines, std::move(update)));
+  if (last || !gradient_moves(r)) passes.push_back(update(r, last));
   return passes;
+}
+
+// Where a dispatch costs, on GPUs, the kernels of the next gradient apply the step. Not in contact, whose forces and
+// blocks look at the new state before that, nor with displacements of two floats, those of static equilibria.
+bool TwoLevelMethod::gradient_moves(const Recording& r) {
+  return last_group_ends(r) && !r.has_blocks() && !r.buffers.displacement_low;
+}
+
+std::optional<PendingStep> TwoLevelMethod::pending(const Recording& r) const {
+  if (!gradient_moves(r)) return {};
+  PendingStep step{{{"SPLIT", splits_ ? "1" : "0"}},
+                   {{"subspace_state", &state_}, {"fine_direction", &fine_direction_}, {"last_step", &last_step_}},
+                   previous_gradient_};
+  if (splits_) step.step.emplace_back("coarse_direction", &coarse_direction_);
+  return step;
+}
+
+gl::ComputePass TwoLevelMethod::update(const Recording& r, bool last) const {
+  const bool compensated{r.buffers.displacement_low};
+  gl::ComputePass::Bindings bindings{{"subspace_state", &state_},
+                                     {"step_before", &last_step_},
+                                     {"iterate", &r.buffers.displacement},
+                                     {"displacement", &r.buffers.displacement}};
+  if (!last) {
+    bindings.insert(bindings.end(), {{"fine_direction", &fine_direction_},
+                                     {"gradient", &gradient_.gradient()},
+                                     {"previous_gradient", &previous_gradient_},
+                                     {"last_step", &last_step_}});
+    if (splits_) bindings.emplace_back("coarse_direction", &coarse_direction_);
+  }
+  if (compensated)
+    bindings.insert(bindings.end(),
+                    {{"iterate_low", &r.buffers.displacement_low}, {"displacement_low", &r.buffers.displacement_low}});
+  return r.over_vertices(
+      "sim/two_level/subspace_update.comp",
+      {{"FINAL", last ? "1" : "0"}, {"SPLIT", splits_ ? "1" : "0"}, {"COMPENSATED", compensated ? "1" : "0"}},
+      std::move(bindings));
 }
 
 }  // namespace fascia

@@ -30,6 +30,7 @@ class TwoLevelMethod : public StepMethod {
   const StepGradient* gradient() const override { return &gradient_; }
   void prepare(const Recording& recording) override;
   Passes begin(const Recording& recording) const override;
+  Passes before(const Recording& recording, bool first) const override;
   Passes refresh(const Recording& recording) const override;
   Deferral most_deferred(const SimBuffers& buffers, bool) const override {
     return {1u + (buffers.has_linear() && buffers.has_quadratic()),
@@ -37,6 +38,7 @@ class TwoLevelMethod : public StepMethod {
   }
   Passes iteration(const Recording& recording, bool first) const override;
   Passes end(const Recording& recording) const override;
+  Passes complete_iteration(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override {
     coarse_.values_changed(model, settings);
   }
@@ -54,6 +56,9 @@ class TwoLevelMethod : public StepMethod {
  private:
   void set_acceleration(const gl::ProgramCache& programs, const SimBuffers& buffers, const SolverSettings& settings);
   static bool last_group_ends(const Recording& recording);
+  static bool gradient_moves(const Recording& recording);
+  std::optional<PendingStep> pending(const Recording& recording) const;
+  gl::ComputePass update(const Recording& recording, bool last) const;
   gl::ComputePass blocks_in_contact(const Recording& recording, bool first) const;
   gl::ComputePass objective_sum(const Recording& recording, bool final) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,

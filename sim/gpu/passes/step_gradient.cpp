@@ -5,17 +5,29 @@ namespace fascia {
 StepGradient::StepGradient(const SimBuffers& buffers)
     : gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {}
 
-Passes StepGradient::passes(const Recording& r) const {
+Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>& pending) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}};
   tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines tet_defines = defines_of(r.features);
   tet_defines.emplace_back("COMPENSATED", r.buffers.displacement_low ? "1" : "0");
   if (r.buffers.displacement_low) tet.emplace_back("displacement_low", &r.buffers.displacement_low);
-  gl::ComputePass::Bindings vertex{
-      {"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"predicted", &r.buffers.predicted},
-      {"mass", &r.buffers.mass}, {"slot_begin", &r.buffers.slot_begin},     {"correction", &r.buffers.correction},
-      {"gradient", &gradient_}};
-  const gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms, TermUse::gradient);
+  gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
+                                   {pending ? "iterate" : "displacement", &r.buffers.displacement},
+                                   {"predicted", &r.buffers.predicted},
+                                   {"mass", &r.buffers.mass},
+                                   {"slot_begin", &r.buffers.slot_begin},
+                                   {"correction", &r.buffers.correction},
+                                   {"gradient", &gradient_}};
+  gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms, TermUse::gradient);
+  for (gl::Defines* defines : {&tet_defines, &vertex_defines}) {
+    defines->emplace_back("MOVES", pending ? "1" : "0");
+    if (pending) defines->insert(defines->end(), pending->defines.begin(), pending->defines.end());
+  }
+  if (pending) {
+    for (gl::ComputePass::Bindings* bindings : {&tet, &vertex})
+      bindings->insert(bindings->end(), pending->step.begin(), pending->step.end());
+    vertex.emplace_back("previous_gradient", &pending->previous_gradient);
+  }
   Passes passes = r.evaluations();
   if (r.buffers.has_linear())
     append(passes,

@@ -5,11 +5,19 @@
 
 namespace fascia {
 
+/// A step that has been solved but not applied: the gradient after it applies it
+/// (shaders/sim/two_level/subspace_move.glsl).
+struct PendingStep {
+  gl::Defines defines;
+  gl::ComputePass::Bindings step;       // of all kernels of the gradient
+  const gl::Buffer& previous_gradient;  // vec4 [vertex_count] takes the gradient before a step that is kept
+};
+
 class StepGradient {
  public:
   explicit StepGradient(const SimBuffers& buffers);
-  /// Writes the forces of the tets to the slots and sums them.
-  Passes passes(const Recording& recording) const;
+  /// Writes the forces of the tets to the slots and sums them. `pending`: after that step.
+  Passes passes(const Recording& recording, const std::optional<PendingStep>& pending = {}) const;
   void clear() { gradient_.clear(); }
   const gl::Buffer& gradient() const { return gradient_; }  // vec4 [vertex_count] xyz g [kg m], w objective [kg m^2]
 

@@ -265,6 +265,50 @@ TEST_CASE("a traced substep equals the substep, and its residual decreases", "[g
   CHECK(residuals.back() < 0.7);
 }
 
+// On GPUs the gradient after a step applies it (sim/gpu/methods/two_level.h).
+TEST_CASE("a traced substep by storage blocks equals the substep, and looks at every iteration's state", "[gpu]") {
+  struct Case {
+    Acceleration acceleration;
+    bool mixed, compensated;
+  };
+  const auto [acceleration, mixed, compensated] = GENERATE(values<Case>({{Acceleration::subspace, false, false},
+                                                                         {Acceleration::subspace, true, false},
+                                                                         {Acceleration::anderson, false, false},
+                                                                         {Acceleration::none, false, true}}));
+  CAPTURE(name_of(acceleration), mixed, compensated);
+  const Material material{4e4, 0.3, 1000, 0.01, MaterialModel::squared};
+  const Model model = mixed ? linear_and_quadratic_bar(4, 0.2, material) : bar(0.01);
+  SolverSettings settings = with(SolverChoice{Method::two_level, acceleration});
+  settings.iterations = 13;  // includes a refresh
+  const State start = random_state(model, 0.001, 4);
+  const auto run = [&](gl::LoadPath loads, bool traced) {
+    Gpu gpu(loads);
+    GpuSolver solver(gpu.programs, model, settings);
+    if (compensated) solver.set_compensated(true);
+    solver.upload(start);
+    solver.set_grab({{10, {0.01, 0, 0}, 20}, {11, {0.01, 0, 0}, 20}});
+    solver.step();
+    std::vector<Diagnostics> trace;
+    if (traced)
+      trace = solver.traced_substep();
+    else
+      solver.step();
+    return std::pair(solver.download().displacement, trace);
+  };
+  const auto [plain, nothing] = run(gl::LoadPath::storage, false);
+  const auto [after_trace, trace] = run(gl::LoadPath::storage, true);
+  const auto [by_texels, expected] = run(gl::LoadPath::texel, true);
+  CHECK(relative_rms(after_trace, plain) == 0);
+  CHECK(relative_rms(plain, by_texels) < 1e-5);
+  REQUIRE(trace.size() == 14);
+  REQUIRE(expected.size() == 14);
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    CAPTURE(i);
+    CHECK(trace[i].elastic == Approx(expected[i].elastic).epsilon(1e-4));
+    if (i > 0) CHECK(trace[i].elastic != trace[i - 1].elastic);
+  }
+}
+
 TEST_CASE("a hanging bar: stiffer with more iterations, never stiffer than exact by more than rounding", "[gpu]") {
   const Method method = any_method();
   CAPTURE(name_of(method));

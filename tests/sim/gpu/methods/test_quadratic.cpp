@@ -192,9 +192,10 @@ TEST_CASE("deferred quadratic tets take part in a step like the others", "[gpu]"
     run_all(method.begin(recording));
     run_all(blocks);
     for (const bool first : {true, false}) {
-      run_all(method.gradient()->passes(recording));
+      run_all(method.before(recording, first));
       run_all(method.iteration(recording, first));
     }
+    run_all(method.complete_iteration(recording));
     reached[defers] = buffers.download_vectors(buffers.displacement);
     if (!defers) continue;
     deferred_count = deferred->count();

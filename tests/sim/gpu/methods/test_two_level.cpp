@@ -118,8 +118,9 @@ TEST_CASE("steps within the span of the corrections and the last step", "[gpu]")
   CHECK((s.displacement() - start).norm() <= 1e-6 * start.norm());  // back at the start
   run(method.refresh(s.recording));
   for (const int iteration : {0, 1, 2}) {
-    run(method.gradient()->passes(s.recording));
+    run(method.before(s.recording, iteration == 0));
     run(method.iteration(s.recording, iteration == 0));
+    run(method.complete_iteration(s.recording));
     exact.descend(acceleration);
     const double error = (s.displacement() - exact.displacement()).norm() / (exact.displacement() - start).norm();
     CAPTURE(name_of(acceleration), name_of(soft), iteration, error);
@@ -142,9 +143,10 @@ TEST_CASE("deferred tets take part in a step like the others", "[gpu]") {
     run(method.begin(s.recording));
     run(method.refresh(blocks));
     for (const bool first : {true, false}) {
-      run(method.gradient()->passes(s.recording));
+      run(method.before(s.recording, first));
       run(method.iteration(s.recording, first));
     }
+    run(method.complete_iteration(s.recording));
   };
   iterate(at_once, nullptr);
   iterate(later, &later.deferred);
@@ -167,8 +169,9 @@ TEST_CASE("Anderson's direction beside the correction: the same first step, then
   run(method.begin(s.recording));
   run(method.refresh(s.recording));
   for (int iteration = 0; iteration < 20; ++iteration) {
-    run(method.gradient()->passes(s.recording));
+    run(method.before(s.recording, iteration == 0));
     run(method.iteration(s.recording, iteration == 0));
+    run(method.complete_iteration(s.recording));
     exact.descend(Acceleration::none);
     const double error = (s.displacement() - exact.displacement()).norm() / (exact.displacement() - start).norm();
     CAPTURE(error);
