@@ -3,13 +3,13 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
+#include "sim/accuracy/conjugate_gradients.h"
 #include "sim/accuracy/recovered_stress.h"
+#include "sim/accuracy/spread_loads.h"
 #include "sim/elements/quadratic_tet.h"
-#include "sim/mesh/tet_faces.h"
 
 namespace fascia {
 namespace {
@@ -39,19 +39,12 @@ Vector3d edge_gradient(const LinearTet& rest, int a, int b, const Vector4d& at) 
   return 4 * (at[a] * rest.gradients.col(b) + at[b] * rest.gradients.col(a));
 }
 
-double dot(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
-}
-
 }  // namespace
 
 EnrichedStress::EnrichedStress(const Model& model, const State& state, const std::stop_token& stop)
     : model_(model), held_(model.held()) {
   make_elements(state);
   find_edges();
-  delta_.assign(held_.size(), Vector3d::Zero());
   solve(loads_of_edges(), stop);
 }
 
@@ -87,92 +80,34 @@ void EnrichedStress::find_edges() {
   for (const auto& ends : ends_) held_.push_back(held_[ends[0]] && held_[ends[1]]);
 }
 
-/// Accelerations of the inner vertices, and from there on, ring by ring, the means of what is known around.
-EnrichedStress::Vectors EnrichedStress::field_of_forces(const Vectors& forces, const std::vector<double>& masses,
-                                                        const std::vector<char>& surface) const {
-  Vectors field(masses.size(), Vector3d::Zero());
-  std::vector<char> known(masses.size());
-  const auto take = [&](bool of_surface) {
-    for (std::size_t v = 0; v < known.size(); ++v) {
-      if (masses[v] == 0 || held_[v] || known[v] || (surface[v] && !of_surface)) continue;
-      field[v] = forces[v] / masses[v];
-      known[v] = 1;
-    }
-  };
-  take(false);
-  for (bool thin = false;; thin = true) {
-    for (bool grows = true; grows;) {
-      Vectors sum(known.size(), Vector3d::Zero());
-      std::vector<int> count(known.size());
-      for (const auto& [a, b] : ends_)
-        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-          if (known[from] && !known[to]) {
-            sum[to] += field[from];
-            ++count[to];
-          }
-      grows = false;
-      for (std::size_t v = 0; v < known.size(); ++v)
-        if (count[v] > 0) {
-          field[v] = sum[v] / count[v];
-          known[v] = grows = true;
-        }
-    }
-    if (thin) return field;
-    take(true);  // parts without inner vertices
-  }
-}
-
 EnrichedStress::Vectors EnrichedStress::loads_of_edges() const {
   const std::size_t vertices = held_.size() - ends_.size();
   Vectors forces(vertices, Vector3d::Zero()), residual(held_.size(), Vector3d::Zero());
-  std::vector<double> masses(vertices), areas(vertices);
-  std::vector<Tet> linear;
+  std::vector<std::uint32_t> tets;
   for (const Element& element : elements_) {
-    const Tet& tet = model_.tets[element.tet];
-    linear.push_back(tet);
-    const double mass = model_.materials[model_.tet_material[element.tet]].density * element.rest.volume / 4;
-    for (std::size_t a = 0; a < 4; ++a) {
-      forces[tet[a]] += element.forces.col(static_cast<int>(a));
-      masses[tet[a]] += mass;
-    }
+    tets.push_back(element.tet);
+    for (std::size_t a = 0; a < 4; ++a) forces[model_.tets[element.tet][a]] += element.forces.col(static_cast<int>(a));
   }
-  std::vector<char> surface(vertices);
-  const std::vector<Triangle> faces = boundary_triangles(linear);
-  const auto area_of = [&](const Triangle& face) {
-    const Vector3d& x = model_.rest_positions[face[0]];
-    return 0.5 * (model_.rest_positions[face[1]] - x).cross(model_.rest_positions[face[2]] - x).norm();
-  };
-  for (const Triangle& face : faces)
-    for (const std::uint32_t v : face) {
-      surface[v] = 1;
-      areas[v] += area_of(face) / 3;
-    }
-  const Vectors field = field_of_forces(forces, masses, surface);
-  std::map<std::array<std::uint32_t, 2>, std::size_t> numbers;
+  const SpreadLoads loads = spread_loads(model_, tets, ends_, forces);
   for (const Element& element : elements_) {
     const Tet& tet = model_.tets[element.tet];
     const double mass = model_.materials[model_.tet_material[element.tet]].density * element.rest.volume;
     Vector3d all = Vector3d::Zero();
-    for (const std::uint32_t v : tet) all += field[v];
+    for (const std::uint32_t v : tet) all += loads.field[v];
     for (std::size_t e = 0; e < 6; ++e) {
       const auto [a, b] = kEdges[e];
-      const Vector3d ends = field[tet[static_cast<std::size_t>(a)]] + field[tet[static_cast<std::size_t>(b)]];
+      const Vector3d ends = loads.field[tet[static_cast<std::size_t>(a)]] + loads.field[tet[static_cast<std::size_t>(b)]];
       residual[element.edges[e]] += mass / 30 * (all + ends) - element.forces.col(a) - element.forces.col(b);
     }
   }
-  for (std::size_t e = 0; e < ends_.size(); ++e)
-    if (surface[ends_[e][0]] && surface[ends_[e][1]]) numbers.emplace(ends_[e], vertices + e);
-  const auto traction_at = [&](std::uint32_t v) -> Vector3d {
-    if (held_[v]) return Vector3d::Zero();
-    return (forces[v] - masses[v] * field[v]) / areas[v];
-  };
-  for (const Triangle& face : faces) {
-    const double area = area_of(face);
-    const Vector3d all = traction_at(face[0]) + traction_at(face[1]) + traction_at(face[2]);
+  std::map<std::array<std::uint32_t, 2>, std::size_t> numbers;
+  for (std::size_t e = 0; e < ends_.size(); ++e) numbers.emplace(ends_[e], vertices + e);
+  for (const Triangle& face : loads.surface) {
+    const double area = face_area(model_, face);
     for (std::size_t k = 0; k < 3; ++k) {
-      std::array<std::uint32_t, 2> ends{face[k], face[(k + 1) % 3]};
-      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
-      residual[numbers.at(ends)] += area / 15 * (all + traction_at(ends[0]) + traction_at(ends[1]));
+      const std::uint32_t a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+      residual[numbers.at({std::min(a, b), std::max(a, b)})] +=
+          area / 15 * (2 * loads.traction[a] + 2 * loads.traction[b] + loads.traction[c]);
     }
   }
   for (std::size_t i = 0; i < residual.size(); ++i)
@@ -275,25 +210,8 @@ void EnrichedStress::solve(const Vectors& residual, const std::stop_token& stop)
       if (!held_[vertices + e]) z[vertices + e] = blocks[e] * r[vertices + e];
     return z;
   };
-
-  constexpr int kMost = 500;
-  constexpr double kShare = 1e-6;  // of the squared residual in the norm of the preconditioner
-  Vectors left = residual, z = precondition(left), way = z;
-  double size = dot(left, z);
-  const double enough = kShare * size;
-  for (int i = 0; i < kMost && size > enough; ++i) {
-    if (stop.stop_requested()) return;
-    const Vectors force = apply(way);
-    const double length = size / dot(way, force);
-    for (std::size_t k = 0; k < way.size(); ++k) {
-      delta_[k] += length * way[k];
-      left[k] -= length * force[k];
-    }
-    z = precondition(left);
-    const double before = std::exchange(size, dot(left, z));
-    for (std::size_t k = 0; k < way.size(); ++k) way[k] = z[k] + size / before * way[k];
-  }
-  converged_ = size <= enough;
+  converged_ = conjugate_gradients(
+      residual, [&](const Vectors& to) { return apply(to); }, precondition, stop, delta_);
 }
 
 Vector6d EnrichedStress::at(std::size_t tet, const Vector4d& barycentric) const {

@@ -5,9 +5,8 @@
 //   a(u, v) = sum_t int 2 mu eps(u) : eps(v) dV + lambda / V int tr eps(u) dV int tr eps(v) dV
 //
 // in the axes that each tet has now (a hierarchical estimate: Bank, Smith 1993). The change of volume counts on
-// average, since it would lock tets otherwise. l are the loads that hold the linear tets in their shape: the forces of
-// inner vertices are those of a field, gravity and inertia, which goes on to the surface. What surface vertices have
-// beside it is traction, linear on faces. Held vertices stay, and so do edges between two of them.
+// average, since it would lock tets otherwise. l are the loads that hold the linear tets in their shape
+// (sim/accuracy/spread_loads.h). Held vertices stay, and so do edges between two of them.
 // Solved by conjugate gradients without a matrix, preconditioned by the factorized linear tets and the blocks of edges.
 #pragma once
 #include <Eigen/Core>
@@ -50,8 +49,6 @@ class EnrichedStress {
   void make_elements(const State& state);
   void find_edges();
   Vectors loads_of_edges() const;
-  Vectors field_of_forces(const Vectors& forces, const std::vector<double>& masses,
-                          const std::vector<char>& surface) const;
   Eigen::Matrix3d gradient_at(const Element& element, const Vectors& of, const Eigen::Vector4d& barycentric) const;
   Eigen::Matrix3d mean_gradient(const Element& element, const Vectors& of) const;
   Eigen::Matrix3d stress_at(const Element& element, const Vectors& of, const Eigen::Vector4d& barycentric,

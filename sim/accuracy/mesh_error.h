@@ -2,20 +2,22 @@
 //
 //   e^2 = int (T* - T) : D^-1 (T* - T) dV       (Zienkiewicz, Zhu 1987)
 //
-// of linear tets, with the stress T* that they would have if their edges could bend (sim/accuracy/enriched_stress.h),
-// and where that is not found, or they are too many, with the one that is recovered by patches
-// (sim/accuracy/recovered_stress.h), is the squared error in the energy norm. By Galerkin's orthogonality it is also
-// what the load's work is short of: e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by
-// the load that acts on it. Where motions are prescribed and nothing pulls, it is that of the reactions.
+// is the squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work is short of:
+// e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on it. Where
+// motions are prescribed and nothing pulls, it is that of the reactions. T* of linear tets is the stress that they would
+// have if their edges could bend (sim/accuracy/enriched_stress.h).
 //
-// Quadratic tets, whose T* is recovered, take the change of volume theta of their energy on average, and are then too
-// soft rather than too stiff. The same derivation gives, with strains eps* = D^-1 T* and p* = lambda tr eps*,
+// Quadratic tets take the change of volume theta of their energy on average, and may be too soft rather than too stiff.
+// With the stress T* of tets cut in eight (sim/accuracy/refined_stress.h), the difference w of the energies takes the
+// place of e^2.
 //
-//   w = int 2 mu |eps* - eps|^2 + lambda (tr eps* - mean theta)^2 - 2 (p* - p) (theta - mean theta) dV
+// Where neither is found, or the tets are too many, T* is recovered by patches (sim/accuracy/recovered_stress.h), and
+// with theta* of T* and K of volume_split()
 //
-// whose first two terms are squares and the last of either sign; linear tets have none of it. D is that of the law at
-// rest. The estimate of a moving body is that of the shape that its current forces would hold: it has nothing of the
-// error in the frequencies that has added up.
+//   w = int (T* - T) : D^-1 (T* - T), of the pointwise theta, - K (theta - mean theta)^2 dV
+//
+// where linear tets have nothing to average. D is that of the law at rest. The estimate of a moving body is that of the
+// shape that its current forces would hold: it has nothing of the error in the frequencies that has added up.
 #pragma once
 #include <stop_token>
 #include <vector>

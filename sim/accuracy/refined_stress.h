@@ -1,0 +1,81 @@
+// What the stress of quadratic tets lacks, from the same body with each tet cut in eight, quadratic again, which the
+// loads of the tets move on to its own equilibrium. Newton's method in few steps, each by
+//
+//   sum_t int (D : sym F^T grad delta) : sym F^T grad v + grad delta T+ : grad v dV = l(v) - sum_t int P : grad v dV
+//
+// for all v of the finer mesh, with the law D at rest, and T+ the part of the stress without pressures, so that the
+// matrix stays positive. Averages of the change of volume (volume_split()) and the lumped masses are those of the finer
+// tets: T* is what the finer mesh finds. Cubic functions on the same tets are no substitute: at the edges of supports
+// they are hardly better than quadratic ones, and without the averages they are stiffer where these are too soft.
+//
+// l: the loads that hold the tets (sim/accuracy/spread_loads.h); what forces at vertices have beside it stays there.
+// Solved by conjugate gradients without a matrix. The preconditioner (Bramble, Pasciak, Xu 1990) adds the factorized
+// linear tets of the coarse mesh, and the blocks of the linear and of the quadratic functions of the finer one.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "sim/elements/quadratic_tet.h"
+#include "sim/mesh/mid_edges.h"
+#include "sim/model/model.h"
+#include "sim/model/state.h"
+#include "sim/reference/elasticity.h"
+
+namespace fascia {
+
+class RefinedStress {
+ public:
+  static constexpr std::size_t kMostTets = 20'000;
+
+  /// Of the quadratic tets of a model, which must not change. Ends early once `stop` is requested.
+  RefinedStress(const Model& model, const State& state, const std::stop_token& stop = {});
+
+  /// Whether the search ended: not if it was stopped, or tets are too flat for the factorization or the iterations.
+  bool converged() const { return converged_; }
+
+  /// The integration points of the eight tets.
+  struct Point {
+    Eigen::Vector4d barycentric;  // in the whole tet
+    reference::Vector6d stress;   // T* [Pa] as in sim/accuracy/recovered_stress.h
+    double growth_gap;            // PointStress::growth_gap of the finer tet
+  };
+  static constexpr std::size_t kPoints = 8 * QuadraticTet::kPoints;
+  /// Of one tet; all have the same weight, since the eight have the same volume.
+  std::array<Point, kPoints> at(std::size_t tet) const;
+
+ private:
+  using Vectors = std::vector<Eigen::Vector3d>;  // [vertex] of the finer mesh
+  struct PointState {
+    Eigen::Matrix3d f, rotation, stress, tension;  // F, R, T, the part of T without pressures
+    double growth_gap;
+  };
+  struct Element {
+    QuadraticTet rest;
+    std::array<std::uint32_t, 10> vertices;
+    double mu, lambda, bulk;  // [Pa]
+    std::array<PointState, QuadraticTet::kPoints> points;
+  };
+
+  void cut(const State& state);
+  void update_points();
+  Vectors loads_of(const Vectors& coarse_forces) const;
+  Vectors residual(const Vectors& loads) const;
+  Vectors apply(const Vectors& to) const;
+  QuadraticTet::PointGradients added_stresses(const Element& element, const Vectors& of) const;
+  bool solve(const Vectors& residual, const std::stop_token& stop, Vectors& delta) const;
+
+  const Model& model_;
+  Model fine_;
+  State fine_state_;
+  std::vector<std::uint32_t> tets_;              // of the model
+  std::vector<std::uint32_t> first_of_;          // [tet of the model] its first one in elements_
+  std::vector<MidEdge> coarse_edges_, edges_;    // of the quadratic tets and of the finer ones
+  std::vector<char> held_;                       // [vertex] of the finer mesh
+  std::vector<Element> elements_;
+  bool converged_ = false;
+};
+
+}  // namespace fascia

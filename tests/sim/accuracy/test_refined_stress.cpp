@@ -1,0 +1,125 @@
+// The stress that quadratic tets lack, against meshes of which each tet is cut in eight.
+// Covers: sim/accuracy/spread_loads.cpp sim/accuracy/conjugate_gradients.h
+#include "sim/accuracy/refined_stress.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/accuracy/mesh_error.h"
+#include "sim/accuracy/recovered_stress.h"
+#include "sim/mesh/linear_tets.h"
+#include "tests/sim/reference/box_model.h"
+
+using namespace fascia;
+using namespace fascia::test;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+namespace {
+
+struct QuadraticBar {
+  double nu;
+  bool both_ends;
+  Vector3d gravity;
+};
+
+/// A bar of 0.4 x 0.2 x 0.2 m with inner vertices displaced at random, held at x = 0. Its tets cut in eight if `fine`.
+Model irregular(const QuadraticBar& bar, bool fine) {
+  Material material = soft(1e6, bar.nu);
+  material.model = MaterialModel::st_venant_kirchhoff;
+  TetMesh mesh = make_box(4, 2, 2, {0.4, 0.2, 0.2});
+  Random random(5);
+  for (Vector3d& x : mesh.positions)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double way = 0.02 * random();
+      if (x[axis] > 1e-9 && x[axis] < (axis == 0 ? 0.4 : 0.2) - 1e-9) x[axis] += way;
+    }
+  if (fine) {
+    std::vector<std::uint32_t> all(mesh.tets.size());
+    for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+    add_mid_edges(mesh, all);
+    TetMesh cut;
+    cut.positions = mesh.positions;
+    for (std::size_t t = 0; t < all.size(); ++t)
+      for (const Tet& tet : cut_in_eight(mesh.tets[t], mesh.mid_edges[t], mesh.positions)) cut.tets.push_back(tet);
+    mesh = cut;
+  }
+  Model model = quadratic(make_model(
+      mesh, material, [&](const Vector3d& x) { return x.x() < 1e-9 || (bar.both_ends && x.x() > 0.4 - 1e-9); }));
+  model.gravity = bar.gravity;
+  return model;
+}
+
+State at_rest(const Model& model) {
+  State state = initial_state(model);
+  REQUIRE(reference::NewtonSolver(model, {}).solve_static(state).converged);
+  return state;
+}
+
+}  // namespace
+
+// The finer mesh has other loads at single vertices only where two supports' edges hold the coarse one.
+TEST_CASE("the error of quadratic tets is the difference to the same body with each tet cut in eight") {
+  const auto bar = GENERATE(QuadraticBar{0.3, false, {0, -9.81, 0}}, QuadraticBar{0.45, false, {3, -9.81, 1}},
+                            QuadraticBar{0.49, false, {0, -9.81, 0}}, QuadraticBar{0.3, true, {0, -40, 0}},
+                            QuadraticBar{0.3, false, {60, 0, 0}});
+  const Model model = irregular(bar, false), fine = irregular(bar, true);
+  const State state = at_rest(model), finer = at_rest(fine);
+  const double error =
+      std::abs(reference::measure(model, state).elastic / reference::measure(fine, finer).elastic - 1);
+  const MeshError estimate = estimate_mesh_error(model, state);
+  CAPTURE(bar.nu, bar.both_ends, error, estimate.displacement);
+  CHECK(RefinedStress(model, state).converged());
+  CHECK(estimate.displacement > 0.7 * error);
+  CHECK(estimate.displacement < 1.5 * error);
+}
+
+TEST_CASE("in a mixed model linear and quadratic bodies have the errors that they have alone") {
+  Material material = soft(1e6, 0.4);
+  const Model one = [&] {
+    Model made = box_model(4, 2, 2, {0.4, 0.2, 0.2}, material, [](const Vector3d& x) { return x.x() == 0; });
+    made.gravity = {0, -9.81, 0};
+    return made;
+  }();
+  Model ten = quadratic(one);
+  ten.gravity = one.gravity;
+  TetMesh mesh = one.file_mesh;
+  const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
+  const auto tets = static_cast<std::uint32_t>(mesh.tets.size());
+  for (std::uint32_t v = 0; v < vertices; ++v) mesh.positions.push_back(mesh.positions[v] + Vector3d(0, 0, 1));
+  for (std::uint32_t t = 0; t < tets; ++t) {
+    Tet tet = mesh.tets[t];
+    for (std::uint32_t& v : tet) v += vertices;
+    mesh.tets.push_back(tet);
+  }
+  Model both = quadratic(make_model(mesh, material, [](const Vector3d& x) { return x.x() == 0; }), tets);
+  both.gravity = one.gravity;
+  const MeshError of_one = estimate_mesh_error(one, at_rest(one)), of_ten = estimate_mesh_error(ten, at_rest(ten)),
+                  of_both = estimate_mesh_error(both, at_rest(both));
+  CHECK(of_both.displacement > of_ten.displacement);
+  CHECK(of_both.displacement < of_one.displacement);
+  const float by_one = of_both.tets[0] / of_one.tets[0], by_ten = of_both.tets[tets] / of_ten.tets[0];
+  for (std::uint32_t t = 0; t < tets; ++t) {
+    CHECK(of_both.tets[t] == Approx(by_one * of_one.tets[t]).epsilon(1e-3));
+    CHECK(of_both.tets[tets + t] == Approx(by_ten * of_ten.tets[t]).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("the points of the eight tets stand for the same volume") {
+  const Model model = irregular({0.3, false, {0, -9.81, 0}}, false);
+  const RefinedStress refined(model, at_rest(model));
+  Vector4d mean = Vector4d::Zero();
+  for (const RefinedStress::Point& point : refined.at(7)) {
+    CHECK(point.barycentric.sum() == Approx(1));
+    CHECK(point.barycentric.minCoeff() > 0);
+    mean += point.barycentric / RefinedStress::kPoints;
+  }
+  CHECK((mean - Vector4d::Constant(0.25)).norm() < 1e-12);
+}
+
+TEST_CASE("a search on the finer mesh that is asked to stop has not converged") {
+  const Model model = irregular({0.3, false, {0, -9.81, 0}}, false);
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_FALSE(RefinedStress(model, at_rest(model), stop.get_token()).converged());
+}
