@@ -1,5 +1,5 @@
 // The stress that quadratic tets lack, against meshes of which each tet is cut in eight.
-// Covers: sim/accuracy/spread_loads.cpp sim/accuracy/conjugate_gradients.h
+// Covers: spread_loads
 #include "sim/accuracy/refined_stress.h"
 
 #include <catch2/catch.hpp>

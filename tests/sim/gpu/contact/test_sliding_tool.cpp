@@ -1,5 +1,4 @@
 // A tool that slides over tissue drags it by Coulomb's friction, although its points come and go.
-// Covers: contact_force.comp
 #include <catch2/catch.hpp>
 
 #include "sim/gpu/solver.h"
