@@ -96,7 +96,8 @@ EnrichedStress::Vectors EnrichedStress::loads_of_edges() const {
     for (const std::uint32_t v : tet) all += loads.field[v];
     for (std::size_t e = 0; e < 6; ++e) {
       const auto [a, b] = kEdges[e];
-      const Vector3d ends = loads.field[tet[static_cast<std::size_t>(a)]] + loads.field[tet[static_cast<std::size_t>(b)]];
+      const Vector3d ends =
+          loads.field[tet[static_cast<std::size_t>(a)]] + loads.field[tet[static_cast<std::size_t>(b)]];
       residual[element.edges[e]] += mass / 30 * (all + ends) - element.forces.col(a) - element.forces.col(b);
     }
   }

@@ -112,9 +112,8 @@ class BetterStress {
     const std::vector<PointStress> own = stresses_of(model_, state_, t, places);
     std::vector<Point> points;
     for (std::size_t p = 0; p < own.size(); ++p) {
-      const Vector6d star = enriched_ && !model_.is_quadratic(t)
-                                ? Vector6d(own[p].stress + enriched_->at(t, places[p]))
-                                : recovered_->at(t, places[p]);
+      const Vector6d star = enriched_ && !model_.is_quadratic(t) ? Vector6d(own[p].stress + enriched_->at(t, places[p]))
+                                                                 : recovered_->at(t, places[p]);
       points.push_back({volume_points()[p].weight, own[p], star,
                         densities_at(own[p], star, model_.materials[model_.tet_material[t]])});
     }

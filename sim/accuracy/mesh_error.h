@@ -4,8 +4,8 @@
 //
 // is the squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work is short of:
 // e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on it. Where
-// motions are prescribed and nothing pulls, it is that of the reactions. T* of linear tets is the stress that they would
-// have if their edges could bend (sim/accuracy/enriched_stress.h).
+// motions are prescribed and nothing pulls, it is that of the reactions. T* of linear tets is the stress that they
+// would have if their edges could bend (sim/accuracy/enriched_stress.h).
 //
 // Quadratic tets take the change of volume theta of their energy on average, and may be too soft rather than too stiff.
 // With the stress T* of tets cut in eight (sim/accuracy/refined_stress.h), the difference w of the energies takes the

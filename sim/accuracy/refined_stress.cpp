@@ -98,7 +98,8 @@ RefinedStress::RefinedStress(const Model& model, const State& state, const std::
     for (std::size_t q = 0; q < kPointsOfOne; ++q)
       add_forces(rest, model.element(t), q, own[q].rotation * matrix_of(own[q].stress), forces);
   }
-  // Changes of volume that the coarse mesh averages are so stiff near a Poisson's ratio of 0.5 that one step is too far.
+  // Changes of volume that the coarse mesh averages are so stiff near a Poisson's ratio of 0.5 that one step is too
+  // far.
   constexpr int kMostSteps = 10;
   constexpr double kShare = 1e-5;  // of the first step's energy
   const Vectors loads = loads_of(forces);
@@ -162,8 +163,12 @@ void RefinedStress::cut(const State& state) {
   }
   for (std::size_t s = 0; s < fine_.tets.size(); ++s) {
     const Material& material = fine_.materials[fine_.tet_material[s]];
-    Element element{QuadraticTet(corners_of(fine_, fine_.tets[s])), {}, material.lame_mu(), material.lame_lambda(),
-                    volume_split(material).bulk, {}};
+    Element element{QuadraticTet(corners_of(fine_, fine_.tets[s])),
+                    {},
+                    material.lame_mu(),
+                    material.lame_lambda(),
+                    volume_split(material).bulk,
+                    {}};
     const ElementVertices vertices = fine_.element(s);
     std::copy(vertices.begin(), vertices.end(), element.vertices.begin());
     elements_.push_back(element);
@@ -323,7 +328,8 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
             0.25 * element.rest.volume * block_of(g.col(n), g.col(n), element.mu, element.lambda - element.bulk);
     }
     for (int n = 0; n < 10; ++n)
-      blocks[v[static_cast<std::size_t>(n)]] += element.rest.volume * element.bulk * mean.col(n) * mean.col(n).transpose();
+      blocks[v[static_cast<std::size_t>(n)]] +=
+          element.rest.volume * element.bulk * mean.col(n) * mean.col(n).transpose();
   }
   for (auto* list : {&linear, &blocks})
     for (Matrix3d& block : *list)
@@ -366,8 +372,7 @@ std::array<RefinedStress::Point, RefinedStress::kPoints> RefinedStress::at(std::
       Point& point = points[kPointsOfOne * k + q];
       point.barycentric.setZero();
       for (std::size_t c = 0; c < 4; ++c)
-        point.barycentric +=
-            (c == q ? QuadraticTet::kNear : QuadraticTet::kFar) * place_of(whole, fine_.tets[s][c]);
+        point.barycentric += (c == q ? QuadraticTet::kNear : QuadraticTet::kFar) * place_of(whole, fine_.tets[s][c]);
       point.stress = components_of(element.points[q].stress);
       point.growth_gap = element.points[q].growth_gap;
     }

@@ -70,10 +70,10 @@ class RefinedStress {
   const Model& model_;
   Model fine_;
   State fine_state_;
-  std::vector<std::uint32_t> tets_;              // of the model
-  std::vector<std::uint32_t> first_of_;          // [tet of the model] its first one in elements_
-  std::vector<MidEdge> coarse_edges_, edges_;    // of the quadratic tets and of the finer ones
-  std::vector<char> held_;                       // [vertex] of the finer mesh
+  std::vector<std::uint32_t> tets_;            // of the model
+  std::vector<std::uint32_t> first_of_;        // [tet of the model] its first one in elements_
+  std::vector<MidEdge> coarse_edges_, edges_;  // of the quadratic tets and of the finer ones
+  std::vector<char> held_;                     // [vertex] of the finer mesh
   std::vector<Element> elements_;
   bool converged_ = false;
 };

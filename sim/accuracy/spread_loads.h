@@ -1,6 +1,6 @@
 // The loads that hold a body of tets in its shape, as fields instead of forces at vertices, so that functions of a
-// higher degree meet them, too: the forces of inner vertices are those of a field, gravity and inertia, which goes on to
-// the surface. What surface vertices have beside it is traction. Both are linear between corner vertices.
+// higher degree meet them, too: the forces of inner vertices are those of a field, gravity and inertia, which goes on
+// to the surface. What surface vertices have beside it is traction. Both are linear between corner vertices.
 #pragma once
 #include <Eigen/Core>
 #include <array>

@@ -65,8 +65,7 @@ TEST_CASE("the error of quadratic tets is the difference to the same body with e
                             QuadraticBar{0.3, false, {60, 0, 0}});
   const Model model = irregular(bar, false), fine = irregular(bar, true);
   const State state = at_rest(model), finer = at_rest(fine);
-  const double error =
-      std::abs(reference::measure(model, state).elastic / reference::measure(fine, finer).elastic - 1);
+  const double error = std::abs(reference::measure(model, state).elastic / reference::measure(fine, finer).elastic - 1);
   const MeshError estimate = estimate_mesh_error(model, state);
   CAPTURE(bar.nu, bar.both_ends, error, estimate.displacement);
   CHECK(RefinedStress(model, state).converged());
