@@ -17,6 +17,7 @@
 #include "sim/bare_mesh/plan.h"
 #include "sim/bare_mesh/settled_model.h"
 #include "sim/material/tissues.h"
+#include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_check.h"
 #include "sim/model/file_reader.h"
 #include "sim/model/model.h"
@@ -117,11 +118,12 @@ int inspect(const InfoOptions& options) {
     std::cout << found.place.string() << '\n';
     ShapeFile shape = files.shape(found);
     const std::string unit = unit_of(scene, body, shape);
-    const MeshFile file = shape.surface
-                              ? filled_mesh(std::move(*shape.surface), found.place.string(), body, unit, progress)
-                              : std::move(shape.tets);
+    MeshFile file = shape.surface ? filled_mesh(std::move(*shape.surface), found.place.string(), body, unit, progress)
+                                  : std::move(shape.tets);
     const MeshRepair repaired = repair(file.mesh);
     MeshReport report = examine(file.mesh, repaired);
+    if (body.elements == ElementOrder::quadratic)
+      report.unused_vertices -= keep_mid_edges(file, repaired.source).size();
     if (scene.unsettled || body.unit != LengthUnit::m) report.unit_guess.clear();  // the unit is known, or in the plan
     print_report(std::cout, file, repaired, report, unit);
   }

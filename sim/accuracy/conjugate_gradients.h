@@ -8,10 +8,11 @@
 
 namespace fascia {
 
-/// Solves `apply`(x) = `residual` from x = 0. False if it was stopped, or not done after 500 steps.
+/// Solves `apply`(x) = `residual` from x = 0, until `share` is left of the squared residual in the norm of the
+/// preconditioner. False if it was stopped, or not done after 500 steps.
 template <class Apply, class Precondition>
 bool conjugate_gradients(const std::vector<Eigen::Vector3d>& residual, const Apply& apply,
-                         const Precondition& precondition, const std::stop_token& stop,
+                         const Precondition& precondition, double share, const std::stop_token& stop,
                          std::vector<Eigen::Vector3d>& x) {
   using Vectors = std::vector<Eigen::Vector3d>;
   const auto dot = [](const Vectors& a, const Vectors& b) {
@@ -20,11 +21,10 @@ bool conjugate_gradients(const std::vector<Eigen::Vector3d>& residual, const App
     return sum;
   };
   constexpr int kMost = 500;
-  constexpr double kShare = 1e-6;  // of the squared residual in the norm of the preconditioner
   x.assign(residual.size(), Eigen::Vector3d::Zero());
   Vectors left = residual, z = precondition(left), way = z;
   double size = dot(left, z);
-  const double enough = kShare * size;
+  const double enough = share * size;
   for (int i = 0; i < kMost && size > enough; ++i) {
     if (stop.stop_requested()) return false;
     const Vectors force = apply(way);

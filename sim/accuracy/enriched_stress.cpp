@@ -212,7 +212,7 @@ void EnrichedStress::solve(const Vectors& residual, const std::stop_token& stop)
     return z;
   };
   converged_ = conjugate_gradients(
-      residual, [&](const Vectors& to) { return apply(to); }, precondition, stop, delta_);
+      residual, [&](const Vectors& to) { return apply(to); }, precondition, 1e-6, stop, delta_);
 }
 
 Vector6d EnrichedStress::at(std::size_t tet, const Vector4d& barycentric) const {

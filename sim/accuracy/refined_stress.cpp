@@ -358,8 +358,9 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
     }
     return z;
   };
+  // Newton's next step finds what this one leaves.
   return conjugate_gradients(
-      residual, [&](const Vectors& to) { return apply(to); }, precondition, stop, delta);
+      residual, [&](const Vectors& to) { return apply(to); }, precondition, 1e-3, stop, delta);
 }
 
 std::array<RefinedStress::Point, RefinedStress::kPoints> RefinedStress::at(std::size_t tet) const {

@@ -28,7 +28,7 @@ namespace fascia {
 
 class RefinedStress {
  public:
-  static constexpr std::size_t kMostTets = 20'000;
+  static constexpr std::size_t kMostTets = 10'000;  // some seconds
 
   /// Of the quadratic tets of a model, which must not change. Ends early once `stop` is requested.
   RefinedStress(const Model& model, const State& state, const std::stop_token& stop = {});

@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_check.h"
 #include "sim/mesh/mid_edges.h"
@@ -48,20 +47,6 @@ LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) 
   return {files, scene.bodies[index], key, scene.file.string() + ": " + key, {}, {}, {}, {}};
 }
 
-/// The edges of quadratic tets of the file become straight. Vertices in their middles are in use.
-void straighten_file(LoadedBody& loaded) {
-  MeshFile& file = loaded.file;
-  if (file.mid_edges.empty()) return;
-  std::erase(file.notes, kHigherOrderNote);
-  TetMesh whole = file.mesh;
-  add_mid_edges(whole, loaded.repaired.source, file.mid_edges);
-  if (const std::size_t curved = straighten(whole); curved > 0)
-    file.notes.push_back(plural(curved, "curved edge") + " straightened");
-  for (const MidEdge& edge : mid_edges_of(whole))
-    if (edge.vertex < loaded.used.size()) loaded.used[edge.vertex] = 1;
-  std::copy_n(whole.positions.begin(), file.mesh.positions.size(), file.mesh.positions.begin());
-}
-
 /// `mesh_name`: the name of the mesh in errors.
 void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
   loaded.repaired = repair(loaded.file.mesh);
@@ -72,7 +57,8 @@ void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
                 "expected at least one");
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
-  if (loaded.is_quadratic()) straighten_file(loaded);
+  if (loaded.is_quadratic())
+    for (const std::uint32_t v : keep_mid_edges(loaded.file, loaded.repaired.source)) loaded.used[v] = 1;
 }
 
 LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {

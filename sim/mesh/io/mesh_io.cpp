@@ -6,10 +6,12 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "sim/mesh/io/foreign_formats.h"
 #include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/mesh_formats.h"
 #include "sim/mesh/io/xml.h"
+#include "sim/mesh/mid_edges.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -138,6 +140,20 @@ std::string names_left_out(const fs::path& path, const TetMesh& mesh) {
   std::string text = ending + " holds the numbers of regions, no names and no groups. Left out: ";
   for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
   return text + (names.size() > kNamed ? " and " + std::to_string(names.size() - kNamed) + " more." : ".");
+}
+
+std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std::uint32_t>& usable) {
+  if (file.mid_edges.empty()) return {};
+  std::erase(file.notes, kHigherOrderNote);
+  TetMesh whole = file.mesh;
+  add_mid_edges(whole, usable, file.mid_edges);
+  if (const std::size_t curved = straighten(whole); curved > 0)
+    file.notes.push_back(plural(curved, "curved edge") + " straightened");
+  std::vector<std::uint32_t> kept;
+  for (const MidEdge& edge : mid_edges_of(whole))
+    if (edge.vertex < file.mesh.positions.size()) kept.push_back(edge.vertex);
+  std::copy_n(whole.positions.begin(), file.mesh.positions.size(), file.mesh.positions.begin());
+  return kept;
 }
 
 }  // namespace fascia

@@ -7,8 +7,10 @@
 //        Vega .veg · STL and PLY, ASCII and binary · OFF ASCII.
 // Write: .msh (Gmsh 4.1 ASCII) · .vtk · .vtu · .node/.ele · .mesh · .inp, by the extension.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "sim/mesh/mesh_file.h"
@@ -19,6 +21,10 @@ namespace fascia {
 /// pyramid, wedge or hexahedron, which become tets. Allocations for counts in the file are limited to what the file can
 /// fill.
 MeshFile read_mesh(const std::filesystem::path& path, const Progress& progress = {});
+
+/// Makes the edges of a file's quadratic tets straight, for a body that keeps all of their nodes, and says so in its
+/// notes. The file's vertices in the middles of the edges of `usable` tets.
+std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std::uint32_t>& usable);
 
 /// Writes through a temporary name and renames. Throws Error for an unknown extension or a failed write.
 void write_mesh(const std::filesystem::path& path, const TetMesh& mesh);

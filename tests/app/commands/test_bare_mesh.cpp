@@ -4,6 +4,8 @@
 
 #include "base/file.h"
 #include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
+#include "sim/mesh/mid_edges.h"
 #include "tests/support/bare_shapes.h"
 #include "tests/support/support.h"
 
@@ -64,6 +66,25 @@ TEST_CASE("info prints the plan of a mesh on its own, and none for a scene") {
              R"({"fascia_scene": 1, "bodies": [{"mesh": "cone.msh", "fixed": [{"lowest": 0.02}]}]})");
   const CommandResult scene = run_fascia({"info", "scene.json"}, folder.path());
   CHECK_THAT(scene.out, !Catch::Contains("opened on its own") && Catch::Contains("too large for tissue"));
+}
+
+TEST_CASE("info reports the mid-edge vertices of a file as the scene uses them") {
+  const TemporaryFolder folder;
+  TetMesh mesh = make_box(1, 1, 1, {0.1, 0.1, 0.1});
+  const std::size_t corners = mesh.positions.size();
+  add_mid_edges(mesh, {0, 1, 2, 3, 4, 5});
+  const std::string unused = std::to_string(mesh.positions.size() - corners) + " of them in no usable tet";
+  write_mesh(folder / "ten.msh", mesh);
+  for (const bool quadratic : {false, true}) {
+    write_file(folder / "scene.json",
+               std::string(R"({"fascia_scene": 1, "bodies": [{"mesh": "ten.msh", "elements": ")") +
+                   (quadratic ? "quadratic" : "linear") + "\"}]}");
+    const CommandResult result = run_fascia({"info", "scene.json"}, folder.path());
+    CAPTURE(quadratic, result.out);
+    REQUIRE(result.exit_code == 0);
+    CHECK((result.out.find(unused) != std::string::npos) == !quadratic);
+    CHECK((result.out.find("kept the corners") != std::string::npos) == !quadratic);
+  }
 }
 
 TEST_CASE("an unknown unit or axis is wrong usage") {
