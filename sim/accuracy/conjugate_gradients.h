@@ -9,7 +9,7 @@
 namespace fascia {
 
 /// Solves `apply`(x) = `residual` from x = 0, until `share` is left of the squared residual in the norm of the
-/// preconditioner. False if it was stopped, or not done after 500 steps.
+/// preconditioner, or the curvature is negative. False if it was stopped, or not done after 500 steps.
 template <class Apply, class Precondition>
 bool conjugate_gradients(const std::vector<Eigen::Vector3d>& residual, const Apply& apply,
                          const Precondition& precondition, double share, const std::stop_token& stop,
@@ -28,7 +28,9 @@ bool conjugate_gradients(const std::vector<Eigen::Vector3d>& residual, const App
   for (int i = 0; i < kMost && size > enough; ++i) {
     if (stop.stop_requested()) return false;
     const Vectors force = apply(way);
-    const double length = size / dot(way, force);
+    const double curvature = dot(way, force);
+    if (!(curvature > 0)) return i > 0;
+    const double length = size / curvature;
     for (std::size_t k = 0; k < way.size(); ++k) {
       x[k] += length * way[k];
       left[k] -= length * force[k];

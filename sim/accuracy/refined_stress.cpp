@@ -3,14 +3,11 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "sim/accuracy/conjugate_gradients.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/accuracy/spread_loads.h"
-#include "sim/material/law.h"
-#include "sim/material/symmetric_eigen.h"
 #include "sim/mesh/linear_tets.h"
 #include "sim/mesh/tet_faces.h"
 
@@ -51,34 +48,12 @@ void add_forces(const QuadraticTet& rest, const ElementVertices& vertices, std::
   for (std::size_t n = 0; n < 10; ++n) forces[vertices[n]] += of.col(static_cast<int>(n));
 }
 
-/// The forces of a traction that is linear on the faces of quadratic tets.
-void add_traction(const Model& model, const std::vector<Triangle>& faces, const std::vector<MidEdge>& edges,
-                  const Vectors& traction, double factor, Vectors& forces) {
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> middles;
-  for (const MidEdge& edge : edges) middles[{std::min(edge.a, edge.b), std::max(edge.a, edge.b)}] = edge.vertex;
-  for (const Triangle& face : faces) {
-    const double area = factor * face_area(model, face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
-      forces[a] += area / 60 * (2 * traction[a] - traction[b] - traction[c]);
-      forces[middles.at({std::min(a, b), std::max(a, b)})] +=
-          area / 15 * (2 * traction[a] + 2 * traction[b] + traction[c]);
-    }
-  }
-}
-
-/// A stress without its pressures.
-Matrix3d tension_of(const Matrix3d& stress) {
-  const SymmetricEigen eigen = symmetric_eigen(stress);
-  return eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
-}
-
-/// Fields at corners, continued to mid-edge vertices.
+/// What functions at corners have at mid-edge vertices.
 void continue_to(const std::vector<MidEdge>& edges, Vectors& field) {
   for (const MidEdge& edge : edges) field[edge.vertex] = 0.5 * (field[edge.a] + field[edge.b]);
 }
 
-/// What functions of corners have of those at mid-edge vertices, and the other way round.
+/// The forces on functions at corners, from those on all.
 void restrict_to_corners(const std::vector<MidEdge>& edges, Vectors& forces) {
   for (const MidEdge& edge : edges)
     for (const std::uint32_t v : {edge.a, edge.b}) forces[v] += 0.5 * forces[edge.vertex];
@@ -98,26 +73,38 @@ RefinedStress::RefinedStress(const Model& model, const State& state, const std::
     for (std::size_t q = 0; q < kPointsOfOne; ++q)
       add_forces(rest, model.element(t), q, own[q].rotation * matrix_of(own[q].stress), forces);
   }
-  // Changes of volume that the coarse mesh averages are so stiff near a Poisson's ratio of 0.5 that one step is too
-  // far.
-  constexpr int kMostSteps = 10;
-  constexpr double kShare = 1e-5;  // of the first step's energy
-  const Vectors loads = loads_of(forces);
-  double first = 0;
+  move_on(loads_of(forces), stop);
+}
+
+void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
+  constexpr int kMostSteps = 20, kMostHalves = 10;
+  constexpr double kShare = 1e-5;  // of the first step's work
+  const auto potential = [&] {
+    double sum = 0;
+    for (const Element& element : elements_) sum += element.energy;
+    for (std::size_t v = 0; v < loads.size(); ++v)
+      if (!held_[v]) sum -= loads[v].dot(fine_state_.displacement[v]);
+    return sum;
+  };
+  update_points();
+  double first = 0, before = potential();
   for (int step = 0; step < kMostSteps && !converged_; ++step) {
-    update_points();
     const Vectors missing = residual(loads);
     Vectors delta;
     if (!solve(missing, stop, delta)) return;
-    double energy = 0;
-    for (std::size_t v = 0; v < delta.size(); ++v) {
-      energy += missing[v].dot(delta[v]);
-      fine_state_.displacement[v] += delta[v];
+    double work = 0;
+    for (std::size_t v = 0; v < delta.size(); ++v) work += missing[v].dot(delta[v]);
+    if (step == 0) first = work;
+    const Vectors start = fine_state_.displacement;
+    double length = 1;
+    for (int half = 0; half < kMostHalves; ++half, length *= 0.5) {
+      for (std::size_t v = 0; v < delta.size(); ++v) fine_state_.displacement[v] = start[v] + length * delta[v];
+      update_points();
+      if (potential() <= before) break;
     }
-    if (step == 0) first = energy;
-    converged_ = energy <= kShare * first;
+    before = potential();
+    converged_ = length == 1 && work <= kShare * first;
   }
-  update_points();
 }
 
 void RefinedStress::cut(const State& state) {
@@ -168,6 +155,7 @@ void RefinedStress::cut(const State& state) {
                     material.lame_mu(),
                     material.lame_lambda(),
                     volume_split(material).bulk,
+                    0,
                     {}};
     const ElementVertices vertices = fine_.element(s);
     std::copy(vertices.begin(), vertices.end(), element.vertices.begin());
@@ -177,10 +165,28 @@ void RefinedStress::cut(const State& state) {
 
 void RefinedStress::update_points() {
   for (std::size_t s = 0; s < elements_.size(); ++s) {
-    const std::vector<PointStress> own = stresses_of(fine_, fine_state_, s, points_of_one());
+    Element& element = elements_[s];
+    const VolumeSplit split = volume_split(fine_.materials[fine_.tet_material[s]]);
+    const MaterialLaw& law = law_of(split.pointwise.model);
+    QuadraticTet::Nodes nodes;
+    for (std::size_t n = 0; n < 10; ++n) nodes[n] = fine_state_.displacement[element.vertices[n]];
+    const QuadraticTet::PointGradients gradients = element.rest.at_points(nodes);
+    std::array<Dilatation, kPointsOfOne> dilatations;
+    double mean = 0;
+    element.energy = 0;
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
-      const Matrix3d stress = matrix_of(own[q].stress);
-      elements_[s].points[q] = {own[q].f, own[q].rotation, stress, tension_of(stress), own[q].growth_gap};
+      const Matrix3d f = Matrix3d::Identity() + gradients[q];
+      const Density density = law.density(f, split.pointwise, true);
+      dilatations[q] = law.dilatation(f, true);
+      mean += 0.25 * dilatations[q].value;
+      element.energy += 0.25 * element.rest.volume * density.energy;
+      element.points[q] = {f, density.first, dilatations[q].first, density.second};
+    }
+    const double pressure = split.bulk * mean;
+    element.energy += 0.5 * element.rest.volume * pressure * mean;
+    for (std::size_t q = 0; q < kPointsOfOne; ++q) {
+      element.points[q].first_piola += pressure * dilatations[q].first;
+      element.points[q].tangent += pressure * dilatations[q].second;
     }
   }
 }
@@ -225,7 +231,7 @@ RefinedStress::Vectors RefinedStress::residual(const Vectors& loads) const {
   for (std::size_t s = 0; s < elements_.size(); ++s)
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
       const PointState& point = elements_[s].points[q];
-      add_forces(elements_[s].rest, fine_.element(s), q, -point.rotation * point.stress, result);
+      add_forces(elements_[s].rest, fine_.element(s), q, -point.first_piola, result);
     }
   for (std::size_t v = 0; v < result.size(); ++v)
     if (held_[v]) result[v].setZero();
@@ -236,18 +242,12 @@ QuadraticTet::PointGradients RefinedStress::added_stresses(const Element& elemen
   QuadraticTet::Nodes nodes;
   for (std::size_t n = 0; n < 10; ++n) nodes[n] = of[element.vertices[n]];
   QuadraticTet::PointGradients at = element.rest.at_points(nodes);
-  std::array<Matrix3d, kPointsOfOne> strains;
   double mean = 0;
+  for (std::size_t q = 0; q < kPointsOfOne; ++q) mean += 0.25 * element.points[q].dilatation.cwiseProduct(at[q]).sum();
   for (std::size_t q = 0; q < kPointsOfOne; ++q) {
-    const Matrix3d product = element.points[q].f.transpose() * at[q];
-    strains[q] = 0.5 * (product + product.transpose());
-    mean += 0.25 * product.trace();
-  }
-  for (std::size_t q = 0; q < kPointsOfOne; ++q) {
-    const PointState& point = element.points[q];
-    Matrix3d stress = 2 * element.mu * strains[q];
-    stress.diagonal().array() += (element.lambda - element.bulk) * strains[q].trace() + element.bulk * mean;
-    at[q] = (at[q] * point.tension + point.f * stress).eval();
+    Eigen::Map<Eigen::Matrix<double, 9, 1>> flat(at[q].data());
+    flat = (element.points[q].tangent * flat).eval();
+    at[q] += element.bulk * mean * element.points[q].dilatation;
   }
   return at;
 }
@@ -293,7 +293,7 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
   for (const std::uint32_t t : tets_) {
     const Element& one = elements_[first_of_[t]];
     const LinearTet rest = corners_of(model_, model_.tets[t]);
-    Eigen::Matrix<double, 3, 4> g = one.points[0].rotation * rest.gradients;
+    Eigen::Matrix<double, 3, 4> g = one.points[0].f * rest.gradients;
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = 0; b < 4; ++b) {
         const int row = places[model_.tets[t][a]], column = places[model_.tets[t][b]];
@@ -315,7 +315,7 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
   for (const Element& element : elements_) {
     const auto& v = element.vertices;
     for (int a = 0; a < 4; ++a) {
-      const Vector3d g = element.points[0].rotation * element.rest.gradients.col(a);
+      const Vector3d g = element.points[0].f * element.rest.gradients.col(a);
       linear[v[static_cast<std::size_t>(a)]] += element.rest.volume * block_of(g, g, element.mu, element.lambda);
     }
     Eigen::Matrix<double, 3, 10> mean = Eigen::Matrix<double, 3, 10>::Zero();
@@ -358,9 +358,9 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
     }
     return z;
   };
-  // Newton's next step finds what this one leaves.
   return conjugate_gradients(
-      residual, [&](const Vectors& to) { return apply(to); }, precondition, 1e-3, stop, delta);
+      residual, [&](const Vectors& to) { return apply(to); }, precondition, 1e-3 /* the next step finds the rest */,
+      stop, delta);
 }
 
 std::array<RefinedStress::Point, RefinedStress::kPoints> RefinedStress::at(std::size_t tet) const {
@@ -368,14 +368,14 @@ std::array<RefinedStress::Point, RefinedStress::kPoints> RefinedStress::at(std::
   const ElementVertices whole = model_.element(tet);
   for (std::size_t k = 0; k < 8; ++k) {
     const std::size_t s = first_of_[tet] + k;
-    const Element& element = elements_[s];
+    const std::vector<PointStress> own = stresses_of(fine_, fine_state_, s, points_of_one());
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
       Point& point = points[kPointsOfOne * k + q];
       point.barycentric.setZero();
       for (std::size_t c = 0; c < 4; ++c)
         point.barycentric += (c == q ? QuadraticTet::kNear : QuadraticTet::kFar) * place_of(whole, fine_.tets[s][c]);
-      point.stress = components_of(element.points[q].stress);
-      point.growth_gap = element.points[q].growth_gap;
+      point.stress = own[q].stress;
+      point.growth_gap = own[q].growth_gap;
     }
   }
   return points;

@@ -1,16 +1,13 @@
-// What the stress of quadratic tets lacks, from the same body with each tet cut in eight, quadratic again, which the
-// loads of the tets move on to its own equilibrium. Newton's method in few steps, each by
+// What quadratic tets lack, from the same body with each tet cut in eight, quadratic again: the loads that hold the
+// tets move it on to its own equilibrium, with the averages of the change of volume (volume_split()) and the lumped
+// masses of the finer tets. Cubic functions on the same tets are no substitute: at the edges of supports they are
+// hardly better than quadratic ones, and without the averages they are stiffer where these are too soft.
 //
-//   sum_t int (D : sym F^T grad delta) : sym F^T grad v + grad delta T+ : grad v dV = l(v) - sum_t int P : grad v dV
-//
-// for all v of the finer mesh, with the law D at rest, and T+ the part of the stress without pressures, so that the
-// matrix stays positive. Averages of the change of volume (volume_split()) and the lumped masses are those of the finer
-// tets: T* is what the finer mesh finds. Cubic functions on the same tets are no substitute: at the edges of supports
-// they are hardly better than quadratic ones, and without the averages they are stiffer where these are too soft.
-//
-// l: the loads that hold the tets (sim/accuracy/spread_loads.h); what forces at vertices have beside it stays there.
-// Solved by conjugate gradients without a matrix. The preconditioner (Bramble, Pasciak, Xu 1990) adds the factorized
-// linear tets of the coarse mesh, and the blocks of the linear and of the quadratic functions of the finer one.
+// Loads: sim/accuracy/spread_loads.h; what forces at vertices have beside them stays there. Newton's method, whose
+// linear problems are solved by conjugate gradients without a matrix, as far as it pays and the curvature is positive
+// (Dembo, Steihaug 1983), with halved steps where the energy would rise. The preconditioner (Bramble, Pasciak, Xu 1990)
+// adds the factorized linear tets of the coarse mesh, and the blocks of the linear and of the quadratic functions of
+// the finer one.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -19,6 +16,7 @@
 #include <vector>
 
 #include "sim/elements/quadratic_tet.h"
+#include "sim/material/law.h"
 #include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
 #include "sim/model/state.h"
@@ -28,7 +26,7 @@ namespace fascia {
 
 class RefinedStress {
  public:
-  static constexpr std::size_t kMostTets = 10'000;  // some seconds
+  static constexpr std::size_t kMostTets = 10'000;  // 30 kB and half a millisecond each
 
   /// Of the quadratic tets of a model, which must not change. Ends early once `stop` is requested.
   RefinedStress(const Model& model, const State& state, const std::stop_token& stop = {});
@@ -49,18 +47,20 @@ class RefinedStress {
  private:
   using Vectors = std::vector<Eigen::Vector3d>;  // [vertex] of the finer mesh
   struct PointState {
-    Eigen::Matrix3d f, rotation, stress, tension;  // F, R, T, the part of T without pressures
-    double growth_gap;
+    Eigen::Matrix3d f, first_piola, dilatation;  // F, P, dtheta/dF
+    Matrix9d tangent;                            // dP/dF without the change of the average
   };
   struct Element {
     QuadraticTet rest;
     std::array<std::uint32_t, 10> vertices;
     double mu, lambda, bulk;  // [Pa]
+    double energy;            // [J]
     std::array<PointState, QuadraticTet::kPoints> points;
   };
 
   void cut(const State& state);
   void update_points();
+  void move_on(const Vectors& loads, const std::stop_token& stop);
   Vectors loads_of(const Vectors& coarse_forces) const;
   Vectors residual(const Vectors& loads) const;
   Vectors apply(const Vectors& to) const;

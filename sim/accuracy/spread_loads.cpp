@@ -1,6 +1,8 @@
 #include "sim/accuracy/spread_loads.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "sim/accuracy/recovered_stress.h"
@@ -82,6 +84,21 @@ SpreadLoads spread_loads(const Model& model, const std::vector<std::uint32_t>& t
   for (std::size_t v = 0; v < held.size(); ++v)
     if (of_surface[v] && !held[v]) loads.traction[v] = (forces[v] - masses[v] * loads.field[v]) / areas[v];
   return loads;
+}
+
+void add_traction(const Model& model, const std::vector<Triangle>& faces, const std::vector<MidEdge>& edges,
+                  const Vectors& traction, double factor, Vectors& forces) {
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> middles;
+  for (const MidEdge& edge : edges) middles[{std::min(edge.a, edge.b), std::max(edge.a, edge.b)}] = edge.vertex;
+  for (const Triangle& face : faces) {
+    const double area = factor * face_area(model, face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+      forces[a] += area / 60 * (2 * traction[a] - traction[b] - traction[c]);
+      forces[middles.at({std::min(a, b), std::max(a, b)})] +=
+          area / 15 * (2 * traction[a] + 2 * traction[b] + traction[c]);
+    }
+  }
 }
 
 }  // namespace fascia

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
 
 namespace fascia {
@@ -23,6 +24,10 @@ struct SpreadLoads {
 SpreadLoads spread_loads(const Model& model, const std::vector<std::uint32_t>& tets,
                          const std::vector<std::array<std::uint32_t, 2>>& edges,
                          const std::vector<Eigen::Vector3d>& forces);
+
+/// Adds `factor` times the forces [N] of a traction that is linear on faces of quadratic tets, to those of vertices.
+void add_traction(const Model& model, const std::vector<Triangle>& faces, const std::vector<MidEdge>& edges,
+                  const std::vector<Eigen::Vector3d>& traction, double factor, std::vector<Eigen::Vector3d>& forces);
 
 /// At rest [m^2].
 double face_area(const Model& model, const Triangle& face);
