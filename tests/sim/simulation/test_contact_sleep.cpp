@@ -88,6 +88,7 @@ TEST_CASE("a poke wakes a sleeping cube, which then moves as one that never slep
                                           {5, {0.08, 0.21, 0.1}, {0, 0, 0}, 0},   // 3 cm deep
                                           {5.5, {0.1, 0.21, 0.1}, {0, 0, 0}, 0},  // to the side
                                           {6, {0.1, 0.5, 0.1}, {0, 0, 0}, 0}};
+  laid.scene.solver.iterations = 20;  // of ten, the error while the ball slides is larger than what sleep changes
   const auto sleeping = laid.open();
   laid.scene.solver.rest_speed = 0;
   const auto awake = laid.open();
@@ -112,8 +113,8 @@ TEST_CASE("a poke wakes a sleeping cube, which then moves as one that never slep
   CHECK(poked > 0.02);
   CHECK(awake->steps_asleep() == 0);
   CHECK(before < 1e-6 * kSize);
-  // Friction goes on to settle in the cube that is awake, and the poke slides: less than the error of ten iterations.
-  CHECK(largest < 0.0036 * poked);
+  // Friction goes on to settle in the cube that is awake, and the poke slides.
+  CHECK(largest < 1e-4 * poked);
 }
 
 TEST_CASE("what may touch a sleeping cube or changes its forces wakes it; what is far away does not", "[sleep]") {
