@@ -58,7 +58,6 @@ State at_rest(const Model& model) {
 
 }  // namespace
 
-// The finer mesh has other loads at single vertices only where two supports' edges hold the coarse one.
 TEST_CASE("the error of quadratic tets is the difference to the same body with each tet cut in eight") {
   const auto bar = GENERATE(QuadraticBar{0.3, false, {0, -9.81, 0}}, QuadraticBar{0.45, false, {3, -9.81, 1}},
                             QuadraticBar{0.49, false, {0, -9.81, 0}}, QuadraticBar{0.3, true, {0, -40, 0}},
