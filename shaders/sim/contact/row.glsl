@@ -1,6 +1,6 @@
 // The force, the energy and the stiffness of a row, a contact point at a piece of a tool, as sim/contact/contact_energy.h
-// states them, without the curvature of the tool's surface. STICKING, PASSING: the penalty on sliding over that on depth, of planes and
-// pairs, and of other shapes.
+// states them, without the curvature of the tool's surface. STICKING, PASSING: the penalty on sliding over that on
+// depth, of planes and pairs, and of other shapes.
 #include "common/symmetric.glsl"
 #include "sim/contact/piece.glsl"
 INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the plane that stands for the piece, or NO_PLANE
