@@ -206,9 +206,17 @@ void ComputePass::follow(const std::string& constant, const std::uint32_t& value
 std::size_t ComputePass::bytes() const {
   std::set<const Buffer*> counted;
   std::size_t bytes = 0;
-  for (const auto& [name, buffer] : buffers_)
-    if (counted.insert(buffer).second) bytes += buffer->bytes();
+  for (const auto& [name, buffer] : buffers_) {
+    if (!counted.insert(buffer).second) continue;
+    const auto part = parts_.find(buffer);
+    bytes += part == parts_.end() ? buffer->bytes() : std::min(part->second, buffer->bytes());
+  }
   return bytes;
+}
+
+void ComputePass::reads_first(const std::string& name, std::size_t bytes) {
+  for (const auto& [bound, buffer] : buffers_)
+    if (bound == name) parts_[buffer] = bytes;
 }
 
 GLbitfield ComputePass::missing_barriers() const {

@@ -3,6 +3,7 @@
 // no number is written twice. A name that the program does not have, or a block without a buffer, is an Error.
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +34,8 @@ class ComputePass {
   /// Bytes of the given buffers, each counted once: an estimate of the memory traffic of a run that reads or writes all
   /// of them.
   std::size_t bytes() const;
+  /// States that a run reads no more than the first `bytes` of the buffer that is bound as `name`, for bytes().
+  void reads_first(const std::string& name, std::size_t bytes);
   /// Takes the numbers of groups from the three values of `arguments` (uint), from index `first`, at each run.
   void set_indirect(const Buffer& arguments, std::uint32_t first);
   const Buffer* arguments() const { return arguments_; }  // of set_indirect; null without
@@ -76,6 +79,7 @@ class ComputePass {
   Buffer* copy_ = nullptr;
   Followed followed_;
   std::optional<std::uint32_t> loops_;
+  std::map<const Buffer*, std::size_t> parts_;  // of reads_first()
   mutable std::uint32_t groups_ = 0, group_size_ = 1;
   mutable std::vector<std::pair<GLint, std::uint32_t>> uniforms_;  // location, value
   mutable std::vector<std::pair<GLint, const std::uint32_t*>> followed_uniforms_;

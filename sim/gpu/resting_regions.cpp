@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/gpu/passes/force_clusters.h"
 #include "sim/model/rest_detector.h"
 
 namespace fascia {
@@ -64,6 +65,9 @@ RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buf
   active_.vertices = gl::Buffer("active_vertices", sizeof(std::uint32_t) * buffers.vertex_count);
   if (buffers.has_linear())
     active_.pairs = gl::Buffer("active_pairs", sizeof(std::uint32_t) * buffers.pair_and_single_count());
+  if (ForceClusters::serve(programs, buffers))
+    active_.clusters = gl::Buffer("active_clusters", 3 * sizeof(std::uint32_t) *
+                                                         ForceClusters::count_of(buffers.pair_and_single_count()));
   if (buffers.has_quadratic())
     active_.quadratic = gl::Buffer("active_quadratic", sizeof(std::uint32_t) * buffers.quadratic_count);
   begin_ = gl::Buffer("region_begin", region_begin_);
@@ -151,6 +155,11 @@ bool RestingRegions::list(const SolverSettings& settings, const std::vector<std:
     if (beside[v]) vertices.push_back(v);
   active_.vertex_count = static_cast<std::uint32_t>(vertices.size());
   if (!pairs.empty()) active_.pairs.upload(0, pairs.size() * sizeof(std::uint32_t), pairs.data());
+  if (active_.clusters && !pairs.empty()) {
+    const std::vector<std::uint32_t> clusters = clusters_of(pairs);
+    active_.cluster_invocations = static_cast<std::uint32_t>(clusters.size()) / 3 * ForceClusters::kPairs;
+    active_.clusters.upload(0, clusters.size() * sizeof(std::uint32_t), clusters.data());
+  }
   if (!quadratic.empty()) active_.quadratic.upload(0, quadratic.size() * sizeof(std::uint32_t), quadratic.data());
   active_.vertices.upload(0, vertices.size() * sizeof(std::uint32_t), vertices.data());
   return true;

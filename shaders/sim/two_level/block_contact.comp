@@ -30,5 +30,6 @@ void main() {
 #if !FIRST
   if (trace(before) > trace(pressed)) pressed = before;
 #endif
-  store_inverse(i, Sym3(FETCH(block_free, 2u * i).xyz + pressed.d, FETCH(block_free, 2u * i + 1u).xyz + pressed.s));
+  vec4 free = FETCH(block_free, 2u * i);
+  store_inverse(i, Sym3(free.xyz + pressed.d, FETCH(block_free, 2u * i + 1u).xyz + pressed.s), free.w);
 }

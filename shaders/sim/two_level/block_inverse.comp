@@ -4,7 +4,7 @@
 #define GUARDED_ELSEWHERE 1
 #define AT_VERTEX(v) FETCH(displacement, v).xyz
 COMPUTE_1D
-INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
+INPUT_VEC4(Displacement, displacement)  // [vertex_count] xyz u [m], w inverse mass, 0 where constrained
 #include "sim/material/invariants.glsl"
 #include "sim/elasticity/elasticity.glsl"
 #if LINEAR_TETS
@@ -16,7 +16,8 @@ INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 #include "sim/energy/terms.glsl"
 INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
 #if FREE
-OUTPUT(vec4, BlockFree, block_free)  // [2 * vertex_count] the blocks, xyz of xx, yy, zz then of yz, xz, xy [kg]
+OUTPUT(vec4, BlockFree, block_free)  // [2 * vertex_count] the blocks, xyz of xx, yy, zz then of yz, xz, xy [kg];
+                                     // first w inverse mass
 #else
 #include "sim/two_level/store_inverse.glsl"
 #endif
@@ -33,9 +34,9 @@ void main() {
 #endif
   a.d += FETCH1(mass, i) + external_stiffness(i, SUBSTEP * SUBSTEP);
 #if FREE
-  STORE3(block_free[2u * i], a.d)
+  block_free[2u * i] = vec4(a.d, FETCH(displacement, i).w);
   STORE3(block_free[2u * i + 1u], a.s)
 #else
-  store_inverse(i, a);
+  store_inverse(i, a, FETCH(displacement, i).w);
 #endif
 }

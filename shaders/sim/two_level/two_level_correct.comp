@@ -5,8 +5,7 @@
 #include "common/symmetric.glsl"
 COMPUTE_1D
 INPUT_VEC4(Gradient, gradient)           // [vertex_count] xyz g [kg m], w objective [kg m^2]
-INPUT_VEC4(Predicted, predicted)         // [vertex_count] w inverse mass, 0 where constrained
-INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count]
+INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count] store_inverse.glsl
 #if COARSE
 INPUT_UINT(CoarseRowBegin, coarse_row_begin)     // [vertex_count + 1]
 INPUT_UVEC4(CoarseRows, coarse_rows)             // two entries each: node and weight (float bits) alternating
@@ -30,8 +29,9 @@ OUTPUT(vec4, Iterate, iterate)          // [vertex_count] u [m]
 void correct(uint i, out vec3 fine, out vec3 coarse) {
   fine = vec3(0.0);
   coarse = vec3(0.0);
-  if (FETCH(predicted, i).w > 0.0) {
-    fine = times(Sym3(FETCH(block_inverse, 2u * i).xyz, FETCH(block_inverse, 2u * i + 1u).xyz), FETCH(gradient, i).xyz);
+  vec4 inverse = FETCH(block_inverse, 2u * i);
+  if (inverse.w > 0.0) {
+    fine = times(Sym3(inverse.xyz, FETCH(block_inverse, 2u * i + 1u).xyz), FETCH(gradient, i).xyz);
 #if COARSE
     uint end = FETCH1(coarse_row_begin, i + 1u);
     for (uint k = FETCH1(coarse_row_begin, i); k < end; ++k) {

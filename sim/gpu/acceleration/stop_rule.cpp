@@ -3,7 +3,7 @@
 namespace fascia {
 
 StopRule::StopRule(const gl::ProgramCache& programs, const SimBuffers& buffers, const StepGradient* gradient)
-    : own_(gradient ? std::nullopt : std::optional<StepGradient>(std::in_place, buffers)),
+    : own_(gradient ? std::nullopt : std::optional<StepGradient>(std::in_place, programs, buffers)),
       gradient_(gradient ? gradient->gradient() : own_->gradient()),
       sums_(programs, buffers.vertex_count),
       residual_partials_("residual_partials", 2 * sizeof(shared::vec4) * sums_.partials),

@@ -12,7 +12,7 @@ constexpr std::size_t kSubspaceFloats = 8;  // shaders/sim/two_level/subspace_st
 
 TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& model, const SimBuffers& buffers,
                                const SolverSettings& settings)
-    : gradient_(buffers),
+    : gradient_(programs, buffers),
       coarse_(programs, model, settings),
       block_inverse_("block_inverse", 2 * sizeof(vec4) * buffers.vertex_count),
       vertices_(programs, buffers.vertex_count, true),
@@ -151,7 +151,6 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   gl::Defines defines{
       {"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};
   gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
-                                    {"predicted", &r.buffers.predicted},
                                     {"block_inverse", &block_inverse_},
                                     {"fine_direction", &fine_direction_}};
   if (!coarse_.empty()) {

@@ -101,6 +101,11 @@ gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers) {
   return {{"pair_count", buffers.pair_count}, {"second_begin", buffers.pair_and_single_count()}};
 }
 
+void count_bytes_of_pairs(gl::ComputePass& pass, const SimBuffers& buffers) {
+  pass.reads_first("tet_vertices", sizeof(Tet) * buffers.pair_and_single_count());
+  pass.reads_first("tet_shape", 3 * sizeof(shared::vec4) * buffers.pair_and_single_count());
+}
+
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
   bindings.emplace_back("pair_slots", &buffers.pair_slots);
   bindings.emplace_back("correction", &buffers.correction);

@@ -28,6 +28,8 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
 /// Adds the buffers of kernels that process pairs of linear tets (shaders/common/tet_pair.glsl).
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers);
+/// States what such a kernel reads: of a pair the shape and the vertices of the first tet.
+void count_bytes_of_pairs(gl::ComputePass& pass, const SimBuffers& buffers);
 /// Adds the same, and the buffers of kernels that write to the corners of pairs of tets
 /// (shaders/common/pair_slots.glsl).
 gl::ComputePass::Bindings with_slots(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);

@@ -85,6 +85,7 @@ gl::ComputePass Recording::over_pairs(const char* kernel, gl::Defines defines, g
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers.pair_and_single_count(),
                        std::move(constants));
   pass.loops(loops_of_pair());
+  count_bytes_of_pairs(pass, buffers);
   if (active) pass.follow("invocations", active->pair_count);
   return pass;
 }
@@ -207,6 +208,7 @@ gl::ComputePass Recording::sum_over_pairs(const char* kernel, gl::Defines define
   constants.emplace_back("pair_and_single_count", buffers.pair_and_single_count());
   gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), sum.lanes, std::move(constants));
   pass.loops(loops_of_sum(buffers.pair_and_single_count(), sum, deferred ? 0 : loops_of_pair()));
+  count_bytes_of_pairs(pass, buffers);
   if (active) pass.follow("pair_and_single_count", active->pair_count);
   return pass;
 }

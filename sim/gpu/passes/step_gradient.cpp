@@ -2,8 +2,29 @@
 
 namespace fascia {
 
-StepGradient::StepGradient(const SimBuffers& buffers)
-    : gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {}
+StepGradient::StepGradient(const gl::ProgramCache& programs, const SimBuffers& buffers)
+    : gradient_("gradient", buffers.vertex_count * sizeof(shared::vec4)) {
+  if (ForceClusters::serve(programs, buffers)) clusters_.emplace(buffers);
+}
+
+// Deferred pairs are processed by a list in no order of clusters.
+gl::ComputePass StepGradient::clustered(const Recording& r, gl::Defines defines,
+                                        gl::ComputePass::Bindings bindings) const {
+  defines.emplace_back("CLUSTERS", "1");
+  bindings = with_pairs(std::move(bindings), r.buffers);
+  bindings.insert(bindings.end(), {{"clusters", &clusters_->lists()}, {"correction", &clusters_->forces()}});
+  if (r.active) {
+    defines.emplace_back("LISTED", "1");
+    bindings.emplace_back("item_list", &r.active->clusters);
+  }
+  gl::ComputePass::Constants constants = constants_of_pairs(r.buffers);
+  constants.emplace_back("pair_and_single_count", r.buffers.pair_and_single_count());
+  gl::ComputePass pass(r.programs.compute("sim/elasticity/elastic_force.comp", defines), std::move(bindings),
+                       ForceClusters::kPairs * clusters_->count(), std::move(constants));
+  count_bytes_of_pairs(pass, r.buffers);
+  if (r.active) pass.follow("invocations", r.active->cluster_invocations);
+  return pass;
+}
 
 Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>& pending) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}};
@@ -15,9 +36,10 @@ Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>
                                    {pending ? "iterate" : "displacement", &r.buffers.displacement},
                                    {"predicted", &r.buffers.predicted},
                                    {"mass", &r.buffers.mass},
-                                   {"slot_begin", &r.buffers.slot_begin},
-                                   {"correction", &r.buffers.correction},
                                    {"gradient", &gradient_}};
+  const bool clusters = clusters_ && !r.deferred;
+  vertex.emplace_back("slot_begin", clusters ? &clusters_->slot_begin() : &r.buffers.slot_begin);
+  vertex.emplace_back("correction", clusters ? &clusters_->forces() : &r.buffers.correction);
   gl::Defines vertex_defines = with_energy_terms({}, vertex, r.terms, TermUse::gradient);
   for (gl::Defines* defines : {&tet_defines, &vertex_defines}) {
     defines->emplace_back("MOVES", pending ? "1" : "0");
@@ -29,7 +51,9 @@ Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>
     vertex.emplace_back("previous_gradient", &pending->previous_gradient);
   }
   Passes passes = r.evaluations();
-  if (r.buffers.has_linear())
+  if (clusters)
+    passes.push_back(clustered(r, tet_defines, tet));
+  else if (r.buffers.has_linear())
     append(passes,
            r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, with_slots(tet, r.buffers)));
   if (r.buffers.has_quadratic())

@@ -1,6 +1,9 @@
 // The objective of an implicit Euler step and its gradient at the displacements, 1/2 (u - u~)^T M (u - u~) + h^2 U(u),
 // including the springs of grabs. Methods that descend the objective start every iteration with it.
 #pragma once
+#include <optional>
+
+#include "sim/gpu/passes/force_clusters.h"
 #include "sim/gpu/passes/recording.h"
 
 namespace fascia {
@@ -15,14 +18,17 @@ struct PendingStep {
 
 class StepGradient {
  public:
-  explicit StepGradient(const SimBuffers& buffers);
+  StepGradient(const gl::ProgramCache& programs, const SimBuffers& buffers);
   /// Writes the forces of the tets to the slots and sums them. `pending`: after that step.
   Passes passes(const Recording& recording, const std::optional<PendingStep>& pending = {}) const;
   void clear() { gradient_.clear(); }
   const gl::Buffer& gradient() const { return gradient_; }  // vec4 [vertex_count] xyz g [kg m], w objective [kg m^2]
 
  private:
+  gl::ComputePass clustered(const Recording& recording, gl::Defines defines, gl::ComputePass::Bindings bindings) const;
+
   gl::Buffer gradient_;
+  std::optional<ForceClusters> clusters_;
 };
 
 /// The linear tets around every vertex for kernels that include sim/elasticity/vertex_block.glsl: uint

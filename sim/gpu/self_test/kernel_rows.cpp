@@ -55,7 +55,7 @@ double gradient_deviation(gl::ProgramCache& programs, MaterialModel law, bool qu
   const Features features = features_of(model);
   const gl::Buffer no_strain;
   const EnergyTerms no_terms;
-  const StepGradient gradient(p.buffers);
+  const StepGradient gradient(programs, p.buffers);
   for (const gl::ComputePass& pass : gradient.passes({programs, p.buffers, features, no_strain, no_terms})) pass.run();
   const std::vector<Vector3d> u = p.buffers.download_vectors(p.buffers.displacement),
                               start = p.buffers.download_vectors(p.buffers.predicted);

@@ -94,7 +94,7 @@ TEST_CASE("the gradient of a step and its objective", "[gpu]") {
     s.recording.deferred = GENERATE(false, true) ? &s.deferred : nullptr;
   const VectorXd start = s.displacement();
   const DoubleTwoLevel exact(s.model, s.settings.substep(), start, flat(s.buffers.predicted, s.buffers.vertex_count));
-  const StepGradient gradient(s.buffers);
+  const StepGradient gradient(s.gpu.programs, s.buffers);
   run(gradient.passes(s.recording));
   double objective = 0, sum = 0;
   const VectorXd expected = exact.gradient(start, objective);
