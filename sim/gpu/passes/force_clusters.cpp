@@ -1,25 +1,40 @@
 #include "sim/gpu/passes/force_clusters.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <utility>
 
 namespace fascia {
 namespace {
 
-// The corners of the pairs of a cluster by vertex, ascending: 64 * corner + pair within the cluster.
-using Corners = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+struct Corner {
+  std::uint32_t vertex, entry;  // 64 * corner + pair within the cluster
+};
 
-Corners corners_of(const SimBuffers& buffers, std::uint32_t cluster) {
+// The corners of the pairs of a cluster, sorted by vertex.
+std::vector<Corner> corners_of(const SimBuffers& buffers, std::uint32_t cluster) {
   constexpr std::uint32_t kPairs = ForceClusters::kPairs;
   const std::uint32_t begin = kPairs * cluster, end = std::min(begin + kPairs, buffers.pair_and_single_count());
-  Corners corners;
+  std::vector<Corner> corners;
+  corners.reserve(5 * kPairs);
   for (std::uint32_t i = begin; i < end; ++i) {
-    for (std::uint32_t k = 0; k < 4; ++k) corners[buffers.tets[i][k]].push_back(kPairs * k + i - begin);
+    for (std::uint32_t k = 0; k < 4; ++k) corners.push_back({buffers.tets[i][k], kPairs * k + i - begin});
     if (i < buffers.pair_count)
-      corners[buffers.tets[buffers.pair_and_single_count() + i][3]].push_back(kPairs * 4 + i - begin);
+      corners.push_back({buffers.tets[buffers.pair_and_single_count() + i][3], kPairs * 4 + i - begin});
   }
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::pair(a.vertex, a.entry) < std::pair(b.vertex, b.entry);
+  });
   return corners;
+}
+
+// Calls f(vertex, first, end) for the corners of each vertex.
+template <class F>
+void for_vertices(const std::vector<Corner>& corners, F&& f) {
+  for (std::size_t first = 0, end = 0; first < corners.size(); first = end) {
+    while (end < corners.size() && corners[end].vertex == corners[first].vertex) ++end;
+    f(corners[first].vertex, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end));
+  }
 }
 
 }  // namespace
@@ -29,30 +44,26 @@ bool ForceClusters::serve(const gl::ProgramCache& programs, const SimBuffers& bu
 }
 
 ForceClusters::ForceClusters(const SimBuffers& buffers) : pairs_(buffers.pair_and_single_count()) {
-  std::vector<Corners> clusters;
   std::vector<std::uint32_t> begins(buffers.vertex_count + 1, 0);
-  for (std::uint32_t c = 0; c < count(); ++c) {
-    clusters.push_back(corners_of(buffers, c));
-    for (const auto& [vertex, corners] : clusters.back()) ++begins[vertex + 1];
-  }
+  for (std::uint32_t c = 0; c < count(); ++c)
+    for_vertices(corners_of(buffers, c), [&](std::uint32_t vertex, auto, auto) { ++begins[vertex + 1]; });
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
   slot_begin_ = gl::Buffer("cluster_slot_begin", begins);
   forces_ = gl::Buffer("cluster_forces", sizeof(shared::vec4) * std::max(1u, begins.back()));
   forces_.clear();
 
   std::vector<std::uint32_t>& next = begins;  // next free slot of each vertex
-  std::vector<std::uint32_t> lists(clusters.size());
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
+  std::vector<std::uint32_t> lists(count());
+  for (std::uint32_t c = 0; c < count(); ++c) {
+    const std::vector<Corner> corners = corners_of(buffers, c);
     lists[c] = static_cast<std::uint32_t>(lists.size());
-    lists.push_back(static_cast<std::uint32_t>(clusters[c].size()));
-    std::vector<std::uint32_t> all;
-    for (const auto& [vertex, corners] : clusters[c]) {
-      lists.push_back(next[vertex]++);
-      lists.push_back(static_cast<std::uint32_t>(all.size() | corners.size() << 16));
-      all.insert(all.end(), corners.begin(), corners.end());
-    }
-    all.resize(all.size() + all.size() % 2);
-    for (std::size_t k = 0; k < all.size(); k += 2) lists.push_back(all[k] | all[k + 1] << 16);
+    lists.push_back(0);
+    for_vertices(corners, [&](std::uint32_t vertex, std::uint32_t first, std::uint32_t end) {
+      ++lists[lists[c]];
+      lists.insert(lists.end(), {next[vertex]++, first | (end - first) << 16});
+    });
+    for (std::size_t k = 0; k < corners.size(); k += 2)
+      lists.push_back(corners[k].entry | (k + 1 < corners.size() ? corners[k + 1].entry << 16 : 0));
   }
   if (lists.empty()) lists.push_back(0);
   lists_ = gl::Buffer("clusters", lists);

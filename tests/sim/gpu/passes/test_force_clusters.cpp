@@ -15,9 +15,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::uint32_t kPairs = ForceClusters::kPairs;
+constexpr std::uint32_t kOfCluster = ForceClusters::kPairs;
 
-Model beam(int cells) {
+Model short_beam(int cells) {
   return make_model(make_box(cells, 3, 3, {0.25, 0.1, 0.1}),
                     {2e4, 0.3, 1000, 0.01, MaterialModel::signed_st_venant_kirchhoff},
                     [](const Vector3d& x) { return x.x() < 1e-9; });
@@ -28,11 +28,11 @@ Model beam(int cells) {
 TEST_CASE("every corner of a cluster is in one slot, which is its vertex's", "[gpu]") {
   const int cells = GENERATE(1, 5, 13);  // 54, 270, 702 tets: a cluster that is not full, and several
   Gpu gpu;
-  const Model model = beam(cells);
+  const Model model = short_beam(cells);
   const SimBuffers buffers(model);
   const ForceClusters clusters(buffers);
   const std::uint32_t pairs = buffers.pair_and_single_count();
-  REQUIRE(clusters.count() == (pairs + kPairs - 1) / kPairs);
+  REQUIRE(clusters.count() == (pairs + kOfCluster - 1) / kOfCluster);
   const auto lists = clusters.lists().read<std::uint32_t>();
   const auto begin = clusters.slot_begin().read<std::uint32_t>();
   std::vector<int> used(begin.back(), 0);
@@ -46,7 +46,7 @@ TEST_CASE("every corner of a cluster is in one slot, which is its vertex's", "[g
       for (std::uint32_t k = range & 0xffff; k < (range & 0xffff) + (range >> 16); ++k) {
         const std::uint32_t entry = (lists[entries + k / 2] >> (16 * (k % 2))) & 0xffff;
         CHECK(met.insert(entry).second);
-        const std::uint32_t corner = entry / kPairs, pair = kPairs * c + entry % kPairs;
+        const std::uint32_t corner = entry / kOfCluster, pair = kOfCluster * c + entry % kOfCluster;
         REQUIRE(pair < pairs);
         REQUIRE((corner < 4 || pair < buffers.pair_count));
         const std::uint32_t vertex = corner < 4 ? buffers.tets[pair][corner] : buffers.tets[pairs + pair][3];
@@ -70,7 +70,7 @@ TEST_CASE("listed pairs have a bit in their cluster", "[gpu]") {
 
 // What a step moves, by the program's own count: see the page on performance.
 TEST_CASE("an iteration of a large mesh moves at most 260 bytes for each tet", "[gpu]") {
-  const Gpu gpu(gl::LoadPath::storage);
+  Gpu gpu(gl::LoadPath::storage);
   const Model plain = make_model(make_box(64, 16, 16, {1, 0.25, 0.25}), {1e6, 0.3, 1000, 0},
                                  [](const Vector3d& x) { return x.x() < 1e-9; });
   GpuSolver solver(gpu.programs, Model(plain), {});
