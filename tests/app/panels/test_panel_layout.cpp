@@ -144,6 +144,31 @@ TEST_CASE("labels over the picture are beside docked plots", "[panel_layout]") {
   desk.frame(1280, 720, [&] { CHECK(room_beside_panels(desk.state).right == 1280); });
 }
 
+TEST_CASE("the notice of a slow window says while kernels compile, beside the panels", "[panel_layout]") {
+  LayoutDesk desk;
+  desk.state.statistics.keeps_pace = false;
+  desk.state.statistics.speed = 0.85;
+  std::array<float, 2> width{};
+  for (const bool compiling : {false, true}) {
+    desk.state.statistics.compiling = compiling;
+    desk.frame(800, 600, [&] {
+      const Room room = room_beside_panels(desk.state);
+      const ImDrawList& list = *ImGui::GetBackgroundDrawList();
+      const int before = list.VtxBuffer.Size;
+      draw_notice(desk.state, room);
+      float left = room.right, right = room.left;
+      for (int i = before; i < list.VtxBuffer.Size; ++i) {
+        left = std::min(left, list.VtxBuffer[i].pos.x);
+        right = std::max(right, list.VtxBuffer[i].pos.x);
+      }
+      CHECK(left > room.left);
+      CHECK(right < room.right);
+      width[compiling] = right - left;
+    });
+  }
+  CHECK(width[1] > width[0] + 50);
+}
+
 TEST_CASE("a value does not touch its slider", "[panel_layout]") {
   LayoutDesk desk;
   desk.frame(1280, 720, [&] {
