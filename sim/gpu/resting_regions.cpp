@@ -66,8 +66,8 @@ RestingRegions::RestingRegions(gl::ProgramCache& programs, const SimBuffers& buf
   if (buffers.has_linear())
     active_.pairs = gl::Buffer("active_pairs", sizeof(std::uint32_t) * buffers.pair_and_single_count());
   if (ForceClusters::serve(programs, buffers))
-    active_.clusters = gl::Buffer("active_clusters", 3 * sizeof(std::uint32_t) *
-                                                         ForceClusters::count_of(buffers.pair_and_single_count()));
+    active_.clusters = gl::Buffer("active_clusters",
+                                  3 * sizeof(std::uint32_t) * ForceClusters::count_of(buffers.pair_and_single_count()));
   if (buffers.has_quadratic())
     active_.quadratic = gl::Buffer("active_quadratic", sizeof(std::uint32_t) * buffers.quadratic_count);
   begin_ = gl::Buffer("region_begin", region_begin_);
