@@ -166,8 +166,11 @@ void draw_notice(const WindowState& state, const Room& room) {
     ui::pill("Getting the solver ready", middle, top, ui::kText);
   } else if (!state.statistics.keeps_pace) {
     const bool passes = state.statistics.compiling;
-    std::snprintf(text, sizeof text, "Slower than real time%s: %.0f %%", passes ? " while kernels compile" : "",
-                  std::max(1.0, 100 * speed));
+    const auto say = [&](const char* reason) {
+      std::snprintf(text, sizeof text, "Slower than real time%s: %.0f %%", reason, std::max(1.0, 100 * speed));
+    };
+    say(passes ? " while kernels compile" : "");
+    if (ImGui::CalcTextSize(text).x > room.width() - ui::px(40)) say("");
     ui::pill(text, middle, top, passes ? ui::kText : ui::kWarning);
   }
 }
