@@ -150,9 +150,8 @@ Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::Defines defines{
       {"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};
-  gl::ComputePass::Bindings correct{{"gradient", &gradient_.gradient()},
-                                    {"block_inverse", &block_inverse_},
-                                    {"fine_direction", &fine_direction_}};
+  gl::ComputePass::Bindings correct{
+      {"gradient", &gradient_.gradient()}, {"block_inverse", &block_inverse_}, {"fine_direction", &fine_direction_}};
   if (!coarse_.empty()) {
     correct.emplace_back("coarse_row_begin", &coarse_.row_begin());
     correct.emplace_back("coarse_rows", &coarse_.rows());

@@ -15,7 +15,7 @@ struct ActiveSet {
   gl::Buffer quadratic;  // uint [quadratic tets], quadratic_count valid: the same
   std::uint32_t moving_count = 0, vertex_count = 0, pair_count = 0, quadratic_count = 0;
   std::uint32_t cluster_invocations = 0;  // a work group for each
-  std::uint32_t work = 0;  // SimBuffers::work_of() these
+  std::uint32_t work = 0;                 // SimBuffers::work_of() these
 };
 
 }  // namespace fascia
