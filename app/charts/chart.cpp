@@ -25,6 +25,20 @@ auto turn(const Table& table, int index) {
 
 bool visible(double value, const Axis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
+// Ticks of a logarithmic axis that spans less than two decades, on which powers of ten are too few to read values from:
+// 1, 2 and 5 of each decade with numbers, the others without and smaller.
+std::string ticks_between(double least, double most) {
+  std::ostringstream ticks;
+  for (int decade = static_cast<int>(std::floor(std::log10(least))); std::pow(10, decade) <= most; ++decade)
+    for (int digit = 1; digit < 10; ++digit) {
+      const double tick = digit * std::pow(10, decade);
+      if (tick < least || tick > most) continue;
+      const bool with_number = digit == 1 || digit == 2 || digit == 5;
+      ticks << (ticks.tellp() > 0 ? ", " : "") << (with_number ? "" : "'' ") << tick << (with_number ? "" : " 1");
+    }
+  return ticks.str();
+}
+
 // Smallest and largest value that is drawn along an axis, with a margin on logarithmic axes, on which gnuplot would
 // extend the range to whole decades. None: gnuplot finds it.
 std::optional<Eigen::Vector2d> range_of(const Axis& axis, const Chart& chart, int dimension) {
@@ -49,6 +63,8 @@ void write_axis(std::ostream& out, int dimension, const Axis& axis, const Chart&
   out << "set " << name << "label " << gnuplot_quoted(axis.label) << " noenhanced\n";
   out << "set format " << name << (powers ? " '10^{%L}'\n" : " '%g'\n");
   if (axis.logarithmic) out << "set logscale " << name << "\nset m" << name << "tics 10\n";
+  if (axis.logarithmic && range && !powers && range->y() < 100 * range->x())
+    out << "set " << name << "tics (" << ticks_between(range->x(), range->y()) << ")\n";
   if (range)
     out << "set " << name << "range [" << range->x() << ':' << range->y() << "]\n";
   else if (!axis.logarithmic)

@@ -110,8 +110,8 @@ std::vector<std::string> mesh_frame_sets(const std::string& unit, const std::str
 void add_common(CLI::App& command, CommonOptions& options) {
   command
       .add_option("scene", options.input,
-                  "scene (.json), tetrahedral mesh, surface or replay (.fascia); - is a scene on standard "
-                  "input, with paths from the working folder; default: the shipped liver")
+                  "scene (.json, also the name of a shipped one), tetrahedral mesh, surface or replay (.fascia); - is "
+                  "a scene on standard input, with paths from the working folder; default: the shipped liver")
       ->type_name(std::string("FILE") + kOrDash);
   command.add_option("--set", options.sets, "override a scene value, e.g. solver.iterations=40")
       ->type_name("KEY=VALUE")

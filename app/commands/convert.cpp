@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/session/open_input.h"
 #include "app/session/progress_lines.h"
+#include "app/system/paths.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"
@@ -29,7 +30,9 @@ struct ConvertOptions {
 // Writes a scene or a replay with its files in it, which opens anywhere.
 int write_self_contained(const ConvertOptions& options) {
   const bool is_replay = lower_ending(options.in) == ".fascia";
-  Opened opened = open_file(options.in);
+  const std::filesystem::path in = input_or_shipped(options.in, "");
+  Opened opened = open_file(in);
+  if (const std::string note = shipped_note(options.in, in); !note.empty()) opened.model.notes.push_back(note);
   require_outputs({{"OUT", options.out, {is_replay ? ".fascia" : ".json"}}}, input_files(opened.scene));
   const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
   const Scene whole = self_contained(opened.scene, opened.model.files);

@@ -11,6 +11,7 @@
 #include "app/session/file_provenance.h"
 #include "app/session/open_input.h"
 #include "app/session/progress_lines.h"
+#include "app/system/paths.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/text.h"
@@ -97,17 +98,19 @@ int inspect(const InfoOptions& options) {
     print_tissues(std::cout);
     return exit_done;
   }
-  if (const auto provenance = provenance_of_file(options.input)) {
-    std::cout << options.input << '\n';
+  const std::filesystem::path input = input_or_shipped(options.input, options.data_dir);
+  if (const std::string note = shipped_note(options.input, input); !note.empty()) std::cout << note << '\n';
+  if (const auto provenance = provenance_of_file(input)) {
+    std::cout << input.string() << '\n';
     for (const auto& [keyword, text] : *provenance)
       std::cout << "  " << std::left << std::setw(12) << keyword << ' ' << text << (text.ends_with('\n') ? "" : "\n");
-    const std::string ending = lower_ending(options.input);
+    const std::string ending = lower_ending(input);
     if (ending != ".vtu" && ending != ".msh" && ending != ".inp") return exit_done;  // such files may be meshes
   }
   Scene scene = blaming_options([&] {
     std::vector<std::string> sets = options.sets;
     for (std::string& set : mesh_frame_sets(options.unit, options.up)) sets.push_back(std::move(set));
-    return open_scene_or_input(options.input, sets);
+    return open_scene_or_input(input, sets);
   });
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
@@ -127,7 +130,7 @@ int inspect(const InfoOptions& options) {
     if (scene.unsettled || body.unit != LengthUnit::m) report.unit_guess.clear();  // the unit is known, or in the plan
     print_report(std::cout, file, repaired, report, unit);
   }
-  const Model model = settled_model(scene, opening_progress(options.input));
+  const Model model = settled_model(scene, opening_progress(input.string()));
   if (model.plan) print_plan(*model.plan);
   const std::vector<double> masses = lumped_masses(model);
   std::cout << "\nscene\n";

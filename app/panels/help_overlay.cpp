@@ -59,7 +59,7 @@ const std::vector<std::vector<Theme>>& help_columns() {
          {"F2", "examples"},
          {"Ctrl+S", "save the scene"},
          {"Ctrl+Shift+C", "copy the command line of the current scene"},
-         {"Ctrl+E", "export the state: .vtu .csv .msh .obj"},
+         {"Ctrl+E", "export the state: .vtu .csv .msh .obj .inp"},
          {"P", "screenshot (PNG)"},
          {"V, Shift+V", "start and stop a video; video settings"},
          {"Ctrl+R", "save a replay of this session"}}},
@@ -165,8 +165,13 @@ void draw_notice(const WindowState& state, const Room& room) {
   } else if (state.statistics.waits > kUnnoticed) {
     ui::pill("Getting the solver ready", middle, top, ui::kText);
   } else if (!state.statistics.keeps_pace) {
-    std::snprintf(text, sizeof text, "Slower than real time: %.0f %%", std::max(1.0, 100 * speed));
-    ui::pill(text, middle, top, ui::kWarning);
+    const bool passes = state.statistics.compiling;
+    const auto say = [&](const char* reason) {
+      std::snprintf(text, sizeof text, "Slower than real time%s: %.0f %%", reason, std::max(1.0, 100 * speed));
+    };
+    say(passes ? " while kernels compile" : "");
+    if (ImGui::CalcTextSize(text).x > room.width() - ui::px(40)) say("");
+    ui::pill(text, middle, top, passes ? ui::kText : ui::kWarning);
   }
 }
 

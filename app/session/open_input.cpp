@@ -80,10 +80,12 @@ Opened open_input(const CommonOptions& options, const std::vector<std::string>& 
     const EndAtOnce opening;
     const std::filesystem::path path = !options.replay.empty() ? std::filesystem::path(options.replay)
                                        : options.input.empty() ? default_scene(find_data_dir(options.data_dir))
-                                                               : std::filesystem::path(options.input);
+                                                               : input_or_shipped(options.input, options.data_dir);
     const Progress progress = options.quiet ? Progress() : opening_progress(path.string());
     Opened opened =
         !options.replay.empty() ? open_replay(path, overrides, progress) : open_file(path, overrides, progress);
+    if (options.replay.empty() && !options.input.empty())
+      if (const std::string note = shipped_note(options.input, path); !note.empty()) opened.model.notes.push_back(note);
     if (const auto unit = unit_hint(opened.scene, opened.model)) opened.model.notes.push_back(unit->hint.help);
     const auto names = [&](const std::string& key) {
       return std::any_of(sets.begin(), sets.end(), [&](const std::string& set) { return set.starts_with(key); });

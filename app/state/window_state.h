@@ -34,6 +34,7 @@ struct Statistics {
   double step_ms = 0;                 // one step, an average with decaying weights: the estimate for the next one
   double speed = 1;                   // simulated over real time
   bool keeps_pace = true;
+  bool compiling = false;        // of faster kernels, which the window goes over to
   const char* quality = "full";  // of the picture, for the panels
   double waits = 0;              // for a solver that cannot step yet [s]
   long steps = 0;

@@ -23,4 +23,17 @@ fs::path find_data_dir(const std::string& data_dir) {
 
 fs::path default_scene(const fs::path& data_dir) { return data_dir / "assets" / "scenes" / "liver.json"; }
 
+fs::path input_or_shipped(const std::string& input, const std::string& data_dir) {
+  const fs::path path(input);
+  std::error_code ignored;
+  if (path.has_parent_path() || path.extension() != ".json" || fs::exists(fs::symlink_status(path, ignored)))
+    return path;
+  const fs::path shipped = default_scene(find_data_dir(data_dir)).parent_path() / path;
+  return fs::exists(shipped, ignored) ? shipped : path;
+}
+
+std::string shipped_note(const std::string& input, const fs::path& opened) {
+  return opened == input ? "" : input + ": no such file here; opened the shipped scene " + opened.string();
+}
+
 }  // namespace fascia

@@ -229,6 +229,7 @@ void Window::follow_kernels() {
         if (session) session->simulation.gpu()->record_again();
     });
   });
+  stage_.state.statistics.compiling = kernels_.compiling();
 }
 
 // The time of a frame is that of the one before, with the picture drawn then.

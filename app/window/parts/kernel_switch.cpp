@@ -40,6 +40,8 @@ void KernelSwitch::session_began(const Simulation& simulation) {
     warmup_.emplace(std::filesystem::read_symlink("/proc/self/exe"), simulation.scene, graphics_.data_dir);
 }
 
+bool KernelSwitch::compiling() const { return warmup_ && !graphics_.programs->fusing(); }
+
 // Where the other process fails or the driver keeps no cache, the fused kernels are compiled here: the window waits
 // once and shows a notice, but it does not stay slow.
 void KernelSwitch::follow(const std::function<void()>& renew) {

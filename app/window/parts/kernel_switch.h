@@ -27,6 +27,8 @@ class KernelSwitch {
   void session_began(const Simulation& simulation);
   /// Between two steps. `renew` is called when solvers must record their passes again, with fused kernels.
   void follow(const std::function<void()>& renew);
+  /// Whether steps have single kernels because another process still compiles the fused ones.
+  bool compiling() const;
 
  private:
   bool compiles(const Scene& scene) const;  // its kernels already

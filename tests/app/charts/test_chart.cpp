@@ -92,6 +92,24 @@ TEST_CASE("ticks of an axis of many decades are powers of ten, and an underscore
   CHECK(svg.find("a_line") != std::string::npos);  // not a subscript
 }
 
+TEST_CASE("a logarithmic axis of less than two decades has numbers at 1, 2 and 5", "[chart]") {
+  const TemporaryFolder folder;
+  Chart chart = example();
+  chart.y = {"error", true, Eigen::Vector2d(0.03, 0.7)};
+  write_chart(folder / "short.svg", chart);
+  chart.y = {"error", true, Eigen::Vector2d(0.003, 0.7)};
+  write_chart(folder / "long.svg", chart);
+  const auto has = [&](const char* file, const char* number) {
+    return read_file(folder / file).find(">" + std::string(number) + "<") != std::string::npos;
+  };
+  for (const char* number : {"0.05", "0.1", "0.2", "0.5"}) {
+    CAPTURE(number);
+    CHECK(has("short.svg", number));
+  }
+  CHECK(has("long.svg", "0.1"));
+  CHECK(!has("long.svg", "0.2"));
+}
+
 TEST_CASE("the same chart gives the same files", "[chart]") {
   const TemporaryFolder folder;
   for (const std::string ending : {".svg", ".png"}) {

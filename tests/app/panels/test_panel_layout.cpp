@@ -144,6 +144,34 @@ TEST_CASE("labels over the picture are beside docked plots", "[panel_layout]") {
   desk.frame(1280, 720, [&] { CHECK(room_beside_panels(desk.state).right == 1280); });
 }
 
+TEST_CASE("the notice of a slow window says while kernels compile, where there is room", "[panel_layout]") {
+  LayoutDesk desk;
+  desk.state.statistics.keeps_pace = false;
+  desk.state.statistics.speed = 0.85;
+  Room room{};
+  const auto edges_of = [&](bool compiling, float width) {  // of the notice in a room of that width
+    desk.state.statistics.compiling = compiling;
+    std::array<float, 2> edges{1e9f, 0};
+    desk.frame(1280, 720, [&] {
+      room = room_beside_panels(desk.state);
+      room.right = room.left + width;
+      const ImDrawList& list = *ImGui::GetBackgroundDrawList();
+      const int before = list.VtxBuffer.Size;
+      draw_notice(desk.state, room);
+      for (int i = before; i < list.VtxBuffer.Size; ++i) {
+        edges[0] = std::min(edges[0], list.VtxBuffer[i].pos.x);
+        edges[1] = std::max(edges[1], list.VtxBuffer[i].pos.x);
+      }
+    });
+    return edges;
+  };
+  const auto plain = edges_of(false, 470), longer = edges_of(true, 470);
+  CHECK(longer[1] - longer[0] > plain[1] - plain[0] + 50);
+  CHECK(longer[0] > room.left);
+  CHECK(longer[1] < room.right);
+  CHECK(edges_of(true, 300) == edges_of(false, 300));
+}
+
 TEST_CASE("a value does not touch its slider", "[panel_layout]") {
   LayoutDesk desk;
   desk.frame(1280, 720, [&] {
