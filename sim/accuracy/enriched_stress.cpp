@@ -19,23 +19,9 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using reference::Vector6d;
 
-constexpr std::array<std::array<int, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-
-/// Exact for polynomials of degree 2; equal weights.
-const std::array<Vector4d, 4>& points() {
-  static const std::array<Vector4d, 4> all = [] {
-    std::array<Vector4d, 4> made;
-    for (int p = 0; p < 4; ++p) {
-      made[static_cast<std::size_t>(p)].setConstant(QuadraticTet::kFar);
-      made[static_cast<std::size_t>(p)][p] = QuadraticTet::kNear;
-    }
-    return made;
-  }();
-  return all;
-}
-
-/// The gradient of 4 L_a L_b.
-Vector3d edge_gradient(const LinearTet& rest, int a, int b, const Vector4d& at) {
+/// The gradient of 4 L_a L_b, a and b being the corners of edge e.
+Vector3d edge_gradient(const LinearTet& rest, std::size_t e, const Vector4d& at) {
+  const auto a = static_cast<int>(kMidEdgeCorners[e][0]), b = static_cast<int>(kMidEdgeCorners[e][1]);
   return 4 * (at[a] * rest.gradients.col(b) + at[b] * rest.gradients.col(a));
 }
 
@@ -69,8 +55,7 @@ void EnrichedStress::find_edges() {
   for (Element& element : elements_) {
     const Tet& tet = model_.tets[element.tet];
     for (std::size_t e = 0; e < 6; ++e) {
-      std::array<std::uint32_t, 2> ends{tet[static_cast<std::size_t>(kEdges[e][0])],
-                                        tet[static_cast<std::size_t>(kEdges[e][1])]};
+      std::array<std::uint32_t, 2> ends{tet[kMidEdgeCorners[e][0]], tet[kMidEdgeCorners[e][1]]};
       if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
       const auto [place, added] = numbers.try_emplace(ends, static_cast<std::uint32_t>(ends_.size()));
       if (added) ends_.push_back(ends);
@@ -95,10 +80,10 @@ EnrichedStress::Vectors EnrichedStress::loads_of_edges() const {
     Vector3d all = Vector3d::Zero();
     for (const std::uint32_t v : tet) all += loads.field[v];
     for (std::size_t e = 0; e < 6; ++e) {
-      const auto [a, b] = kEdges[e];
-      const Vector3d ends =
-          loads.field[tet[static_cast<std::size_t>(a)]] + loads.field[tet[static_cast<std::size_t>(b)]];
-      residual[element.edges[e]] += mass / 30 * (all + ends) - element.forces.col(a) - element.forces.col(b);
+      const auto [a, b] = kMidEdgeCorners[e];
+      const Vector3d ends = loads.field[tet[a]] + loads.field[tet[b]];
+      residual[element.edges[e]] +=
+          mass / 30 * (all + ends) - element.forces.col(static_cast<int>(a)) - element.forces.col(static_cast<int>(b));
     }
   }
   std::map<std::array<std::uint32_t, 2>, std::size_t> numbers;
@@ -122,7 +107,7 @@ Matrix3d EnrichedStress::gradient_at(const Element& element, const Vectors& of, 
   for (std::size_t a = 0; a < 4; ++a)
     gradient += of[tet[a]] * element.rest.gradients.col(static_cast<int>(a)).transpose();
   for (std::size_t e = 0; e < 6; ++e)
-    gradient += of[element.edges[e]] * edge_gradient(element.rest, kEdges[e][0], kEdges[e][1], barycentric).transpose();
+    gradient += of[element.edges[e]] * edge_gradient(element.rest, e, barycentric).transpose();
   return element.rotation.transpose() * gradient;
 }
 
@@ -143,11 +128,10 @@ EnrichedStress::Vectors EnrichedStress::apply(const Vectors& to) const {
   for (const Element& element : elements_) {
     const Tet& tet = model_.tets[element.tet];
     const double trace = mean_gradient(element, to).trace(), weight = element.rest.volume / 4;
-    for (const Vector4d& point : points()) {
+    for (const Vector4d& point : QuadraticTet::points()) {
       const Matrix3d stress = weight * element.rotation * stress_at(element, to, point, trace);
       for (std::size_t a = 0; a < 4; ++a) result[tet[a]] += stress * element.rest.gradients.col(static_cast<int>(a));
-      for (std::size_t e = 0; e < 6; ++e)
-        result[element.edges[e]] += stress * edge_gradient(element.rest, kEdges[e][0], kEdges[e][1], point);
+      for (std::size_t e = 0; e < 6; ++e) result[element.edges[e]] += stress * edge_gradient(element.rest, e, point);
     }
   }
   for (std::size_t i = 0; i < result.size(); ++i)
@@ -183,12 +167,12 @@ void EnrichedStress::solve(const Vectors& residual, const std::stop_token& stop)
           for (int j = 0; j < 3; ++j) entries.emplace_back(row + i, column + j, block(i, j));
       }
     for (std::size_t e = 0; e < 6; ++e) {
-      const auto [a, b] = kEdges[e];
       Matrix3d& block = blocks[element.edges[e] - vertices];
-      const Vector3d mean = turned.col(a) + turned.col(b);
+      const Vector3d mean =
+          turned.col(static_cast<int>(kMidEdgeCorners[e][0])) + turned.col(static_cast<int>(kMidEdgeCorners[e][1]));
       block += lambda * volume * mean * mean.transpose();
-      for (const Vector4d& point : points()) {
-        const Vector3d g = 4 * (point[a] * turned.col(b) + point[b] * turned.col(a));
+      for (const Vector4d& point : QuadraticTet::points()) {
+        const Vector3d g = element.rotation * edge_gradient(element.rest, e, point);
         block += volume / 4 * mu * (g.squaredNorm() * Matrix3d::Identity() + g * g.transpose());
       }
     }

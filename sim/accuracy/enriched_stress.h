@@ -42,7 +42,7 @@ class EnrichedStress {
     LinearTet rest;
     Eigen::Matrix3d rotation;              // R
     Eigen::Matrix<double, 3, 4> forces;    // V P b_a [N]
-    std::array<std::uint32_t, 6> edges{};  // in the order of kEdges
+    std::array<std::uint32_t, 6> edges{};  // in the order of kMidEdgeCorners
   };
   using Vectors = std::vector<Eigen::Vector3d>;  // [vertex], then [edge]
 

@@ -36,10 +36,7 @@ Vector3d place_of(const Model& model, std::size_t t, const Vector4d& barycentric
 }
 
 std::vector<Vector4d> sample_points(bool quadratic) {
-  if (!quadratic) return {Vector4d::Constant(0.25)};
-  std::vector<Vector4d> points(QuadraticTet::kPoints, Vector4d::Constant(QuadraticTet::kFar));
-  for (int q = 0; q < QuadraticTet::kPoints; ++q) points[static_cast<std::size_t>(q)][q] = QuadraticTet::kNear;
-  return points;
+  return quadratic ? QuadraticTet::points() : std::vector<Vector4d>{Vector4d::Constant(0.25)};
 }
 
 /// 1, x, y, z, and the products of two coordinates.

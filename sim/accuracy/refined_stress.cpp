@@ -8,7 +8,6 @@
 #include "sim/accuracy/conjugate_gradients.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/accuracy/spread_loads.h"
-#include "sim/mesh/linear_tets.h"
 #include "sim/mesh/tet_faces.h"
 
 namespace fascia {
@@ -20,20 +19,6 @@ using Eigen::Vector4d;
 using Vectors = std::vector<Vector3d>;
 
 constexpr std::size_t kPointsOfOne = QuadraticTet::kPoints;
-
-std::vector<Vector4d> points_of_one() {
-  std::vector<Vector4d> points(kPointsOfOne, Vector4d::Constant(QuadraticTet::kFar));
-  for (int q = 0; q < QuadraticTet::kPoints; ++q) points[static_cast<std::size_t>(q)][q] = QuadraticTet::kNear;
-  return points;
-}
-
-/// Barycentric coordinates of a vertex of a quadratic tet.
-Vector4d place_of(const ElementVertices& element, std::uint32_t vertex) {
-  const auto n = static_cast<std::size_t>(std::find(element.begin(), element.end(), vertex) - element.begin());
-  if (n < 4) return Vector4d::Unit(static_cast<int>(n));
-  const auto [a, b] = kMidEdgeCorners[n - 4];
-  return 0.5 * (Vector4d::Unit(static_cast<int>(a)) + Vector4d::Unit(static_cast<int>(b)));
-}
 
 LinearTet corners_of(const Model& model, const Tet& tet) {
   const auto& x = model.rest_positions;
@@ -61,15 +46,14 @@ void restrict_to_corners(const std::vector<MidEdge>& edges, Vectors& forces) {
 
 }  // namespace
 
-RefinedStress::RefinedStress(const Model& model, const State& state, const std::stop_token& stop) : model_(model) {
-  for (std::uint32_t t = 0; t < model.tets.size(); ++t)
-    if (model.is_quadratic(t)) tets_.push_back(t);
-  cut(state);
+RefinedStress::RefinedStress(const Model& model, const State& state, const std::stop_token& stop)
+    : model_(model), refined_(refined(model, state)) {
+  make_elements();
   Vectors forces(model.rest_positions.size(), Vector3d::Zero());
-  for (const std::uint32_t t : tets_) {
+  for (const std::uint32_t t : refined_.tets) {
     if (stop.stop_requested()) return;
     const QuadraticTet rest(corners_of(model, model.tets[t]));
-    const std::vector<PointStress> own = stresses_of(model, state, t, points_of_one());
+    const std::vector<PointStress> own = stresses_of(model, state, t, QuadraticTet::points());
     for (std::size_t q = 0; q < kPointsOfOne; ++q)
       add_forces(rest, model.element(t), q, own[q].rotation * matrix_of(own[q].stress), forces);
   }
@@ -83,7 +67,7 @@ void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
     double sum = 0;
     for (const Element& element : elements_) sum += element.energy;
     for (std::size_t v = 0; v < loads.size(); ++v)
-      if (!held_[v]) sum -= loads[v].dot(fine_state_.displacement[v]);
+      if (!refined_.held[v]) sum -= loads[v].dot(refined_.state.displacement[v]);
     return sum;
   };
   update_points();
@@ -95,10 +79,10 @@ void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
     double work = 0;
     for (std::size_t v = 0; v < delta.size(); ++v) work += missing[v].dot(delta[v]);
     if (step == 0) first = work;
-    const Vectors start = fine_state_.displacement;
+    const Vectors start = refined_.state.displacement;
     double length = 1;
     for (int half = 0; half < kMostHalves; ++half, length *= 0.5) {
-      for (std::size_t v = 0; v < delta.size(); ++v) fine_state_.displacement[v] = start[v] + length * delta[v];
+      for (std::size_t v = 0; v < delta.size(); ++v) refined_.state.displacement[v] = start[v] + length * delta[v];
       update_points();
       if (potential() <= before) break;
     }
@@ -107,57 +91,18 @@ void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
   }
 }
 
-void RefinedStress::cut(const State& state) {
-  TetMesh coarse, fine;
-  fine.positions = coarse.positions = model_.rest_positions;
-  first_of_.resize(model_.tets.size());
-  for (const std::uint32_t t : tets_) {
-    first_of_[t] = static_cast<std::uint32_t>(fine.tets.size());
-    coarse.tets.push_back(model_.tets[t]);
-    coarse.mid_edges.push_back(model_.mid_edges[t]);
-    for (const Tet& tet : cut_in_eight(model_.tets[t], model_.mid_edges[t], model_.rest_positions)) {
-      fine.tets.push_back(tet);
-      fine_.tet_material.push_back(model_.tet_material[t]);
-    }
-  }
-  std::vector<std::uint32_t> all(fine.tets.size());
-  for (std::uint32_t k = 0; k < all.size(); ++k) all[k] = k;
-  add_mid_edges(fine, all);
-  coarse_edges_ = mid_edges_of(coarse);
-  edges_ = mid_edges_of(fine);
-  fine_.rest_positions = fine.positions;
-  fine_.tets = fine.tets;
-  fine_.mid_edges = fine.mid_edges;
-  fine_.materials = model_.materials;
-  held_ = model_.held();
-  held_.resize(fine.positions.size());
-  for (const MidEdge& edge : edges_) held_[edge.vertex] = held_[edge.a] && held_[edge.b];
-  for (std::uint32_t v = 0; v < held_.size(); ++v)
-    if (held_[v]) fine_.fixed.push_back(v);
-  fine_state_.displacement = state.displacement;
-  fine_state_.displacement.resize(fine.positions.size());
-  for (const std::uint32_t t : tets_) {
-    const ElementVertices whole = model_.element(t);
-    for (std::size_t s = first_of_[t]; s < first_of_[t] + 8; ++s)
-      for (std::size_t m = 0; m < 6; ++m) {
-        const auto [a, b] = kMidEdgeCorners[m];
-        const QuadraticTet::ShapeFunctions values = QuadraticTet::shape_functions(
-            0.5 * (place_of(whole, fine_.tets[s][a]) + place_of(whole, fine_.tets[s][b])));
-        Vector3d& u = fine_state_.displacement[fine_.mid_edges[s][m]];
-        u.setZero();
-        for (std::size_t n = 0; n < 10; ++n) u += values[n] * state.displacement[whole[n]];
-      }
-  }
-  for (std::size_t s = 0; s < fine_.tets.size(); ++s) {
-    const Material& material = fine_.materials[fine_.tet_material[s]];
-    Element element{QuadraticTet(corners_of(fine_, fine_.tets[s])),
+void RefinedStress::make_elements() {
+  const Model& fine = refined_.model;
+  for (std::size_t s = 0; s < fine.tets.size(); ++s) {
+    const Material& material = fine.materials[fine.tet_material[s]];
+    Element element{QuadraticTet(corners_of(fine, fine.tets[s])),
                     {},
                     material.lame_mu(),
                     material.lame_lambda(),
                     volume_split(material).bulk,
                     0,
                     {}};
-    const ElementVertices vertices = fine_.element(s);
+    const ElementVertices vertices = fine.element(s);
     std::copy(vertices.begin(), vertices.end(), element.vertices.begin());
     elements_.push_back(element);
   }
@@ -166,10 +111,10 @@ void RefinedStress::cut(const State& state) {
 void RefinedStress::update_points() {
   for (std::size_t s = 0; s < elements_.size(); ++s) {
     Element& element = elements_[s];
-    const VolumeSplit split = volume_split(fine_.materials[fine_.tet_material[s]]);
+    const VolumeSplit split = volume_split(refined_.model.materials[refined_.model.tet_material[s]]);
     const MaterialLaw& law = law_of(split.pointwise.model);
     QuadraticTet::Nodes nodes;
-    for (std::size_t n = 0; n < 10; ++n) nodes[n] = fine_state_.displacement[element.vertices[n]];
+    for (std::size_t n = 0; n < 10; ++n) nodes[n] = refined_.state.displacement[element.vertices[n]];
     const QuadraticTet::PointGradients gradients = element.rest.at_points(nodes);
     std::array<Dilatation, kPointsOfOne> dilatations;
     double mean = 0;
@@ -193,32 +138,32 @@ void RefinedStress::update_points() {
 
 RefinedStress::Vectors RefinedStress::loads_of(const Vectors& coarse_forces) const {
   Vectors on_corners = coarse_forces;
-  restrict_to_corners(coarse_edges_, on_corners);
+  restrict_to_corners(refined_.coarse_edges, on_corners);
   std::vector<std::array<std::uint32_t, 2>> ends;
-  for (const MidEdge& edge : coarse_edges_) ends.push_back({edge.a, edge.b});
-  SpreadLoads loads = spread_loads(model_, tets_, ends, on_corners);
-  continue_to(coarse_edges_, loads.field);
-  continue_to(coarse_edges_, loads.traction);
+  for (const MidEdge& edge : refined_.coarse_edges) ends.push_back({edge.a, edge.b});
+  SpreadLoads loads = spread_loads(model_, refined_.tets, ends, on_corners);
+  continue_to(refined_.coarse_edges, loads.field);
+  continue_to(refined_.coarse_edges, loads.traction);
 
   // What the coarse mesh's forces have beside both.
-  Vectors result(held_.size(), Vector3d::Zero());
+  Vectors result(refined_.held.size(), Vector3d::Zero());
   std::copy(coarse_forces.begin(), coarse_forces.end(), result.begin());
-  for (const std::uint32_t t : tets_) {
+  for (const std::uint32_t t : refined_.tets) {
     const double mass = model_.materials[model_.tet_material[t]].density * volume_of(model_, t);
     const ElementVertices element = model_.element(t);
     for (std::size_t n = 0; n < 10; ++n)
       result[element[n]] -=
           mass * (n < 4 ? QuadraticTet::kCornerMass : QuadraticTet::kMidEdgeMass) * loads.field[element[n]];
   }
-  add_traction(model_, loads.surface, coarse_edges_, loads.traction, -1, result);
+  add_traction(model_, loads.surface, refined_.coarse_edges, loads.traction, -1, result);
 
-  loads.field.resize(held_.size());
-  loads.traction.resize(held_.size());
-  continue_to(edges_, loads.field);
-  add_traction(fine_, boundary_triangles(fine_.tets), edges_, loads.traction, 1, result);
+  loads.field.resize(refined_.held.size());
+  loads.traction.resize(refined_.held.size());
+  continue_to(refined_.edges, loads.field);
+  add_traction(refined_.model, boundary_triangles(refined_.model.tets), refined_.edges, loads.traction, 1, result);
   for (std::size_t s = 0; s < elements_.size(); ++s) {
     const Element& element = elements_[s];
-    const double mass = fine_.materials[fine_.tet_material[s]].density * element.rest.volume;
+    const double mass = refined_.model.materials[refined_.model.tet_material[s]].density * element.rest.volume;
     for (std::size_t n = 0; n < 10; ++n)
       result[element.vertices[n]] +=
           mass * (n < 4 ? QuadraticTet::kCornerMass : QuadraticTet::kMidEdgeMass) * loads.field[element.vertices[n]];
@@ -231,10 +176,10 @@ RefinedStress::Vectors RefinedStress::residual(const Vectors& loads) const {
   for (std::size_t s = 0; s < elements_.size(); ++s)
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
       const PointState& point = elements_[s].points[q];
-      add_forces(elements_[s].rest, fine_.element(s), q, -point.first_piola, result);
+      add_forces(elements_[s].rest, refined_.model.element(s), q, -point.first_piola, result);
     }
   for (std::size_t v = 0; v < result.size(); ++v)
-    if (held_[v]) result[v].setZero();
+    if (refined_.held[v]) result[v].setZero();
   return result;
 }
 
@@ -275,7 +220,7 @@ RefinedStress::Vectors RefinedStress::apply(const Vectors& to) const {
     for (std::size_t n = 0; n < 10; ++n) result[element.vertices[n]] += forces[n];
   }
   for (std::size_t v = 0; v < result.size(); ++v)
-    if (held_[v]) result[v].setZero();
+    if (refined_.held[v]) result[v].setZero();
   return result;
 }
 
@@ -283,15 +228,15 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
   const std::size_t coarse = model_.rest_positions.size();
   std::vector<int> places(coarse, -1);
   int unknowns = 0;
-  for (const std::uint32_t t : tets_)
+  for (const std::uint32_t t : refined_.tets)
     for (const std::uint32_t v : model_.tets[t])
-      if (!held_[v] && places[v] < 0) places[v] = 3 * unknowns++;
+      if (!refined_.held[v] && places[v] < 0) places[v] = 3 * unknowns++;
   std::vector<Eigen::Triplet<double>> entries;
   const auto block_of = [](const Vector3d& a, const Vector3d& b, double mu, double lambda) -> Matrix3d {
     return mu * (a.dot(b) * Matrix3d::Identity() + b * a.transpose()) + lambda * a * b.transpose();
   };
-  for (const std::uint32_t t : tets_) {
-    const Element& one = elements_[first_of_[t]];
+  for (const std::uint32_t t : refined_.tets) {
+    const Element& one = elements_[refined_.first_of[t]];
     const LinearTet rest = corners_of(model_, model_.tets[t]);
     Eigen::Matrix<double, 3, 4> g = one.points[0].f * rest.gradients;
     for (std::size_t a = 0; a < 4; ++a)
@@ -311,7 +256,7 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorized(matrix);
   if (factorized.info() != Eigen::Success) return false;
 
-  std::vector<Matrix3d> linear(coarse, Matrix3d::Zero()), blocks(held_.size(), Matrix3d::Zero());
+  std::vector<Matrix3d> linear(coarse, Matrix3d::Zero()), blocks(refined_.held.size(), Matrix3d::Zero());
   for (const Element& element : elements_) {
     const auto& v = element.vertices;
     for (int a = 0; a < 4; ++a) {
@@ -337,21 +282,21 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
 
   const auto precondition = [&](const Vectors& forces) {
     Vectors r = forces, z(r.size(), Vector3d::Zero());
-    restrict_to_corners(edges_, r);
+    restrict_to_corners(refined_.edges, r);
     Vectors middle(r.begin(), r.begin() + static_cast<std::ptrdiff_t>(coarse)), rough = middle;
-    restrict_to_corners(coarse_edges_, rough);
+    restrict_to_corners(refined_.coarse_edges, rough);
     Eigen::VectorXd right(3 * unknowns);
     for (std::size_t v = 0; v < coarse; ++v)
       if (places[v] >= 0) right.segment<3>(places[v]) = rough[v];
     const Eigen::VectorXd solved = factorized.solve(right);
     for (std::size_t v = 0; v < coarse; ++v)
       if (places[v] >= 0) z[v] = solved.segment<3>(places[v]);
-    continue_to(coarse_edges_, z);
+    continue_to(refined_.coarse_edges, z);
     for (std::size_t v = 0; v < coarse; ++v)
-      if (!held_[v]) z[v] += linear[v] * middle[v];
-    continue_to(edges_, z);
+      if (!refined_.held[v]) z[v] += linear[v] * middle[v];
+    continue_to(refined_.edges, z);
     for (std::size_t v = 0; v < z.size(); ++v) {
-      if (held_[v])
+      if (refined_.held[v])
         z[v].setZero();
       else
         z[v] += blocks[v] * forces[v];
@@ -367,13 +312,14 @@ std::array<RefinedStress::Point, RefinedStress::kPoints> RefinedStress::at(std::
   std::array<Point, kPoints> points;
   const ElementVertices whole = model_.element(tet);
   for (std::size_t k = 0; k < 8; ++k) {
-    const std::size_t s = first_of_[tet] + k;
-    const std::vector<PointStress> own = stresses_of(fine_, fine_state_, s, points_of_one());
+    const std::size_t s = refined_.first_of[tet] + k;
+    const std::vector<PointStress> own = stresses_of(refined_.model, refined_.state, s, QuadraticTet::points());
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
       Point& point = points[kPointsOfOne * k + q];
       point.barycentric.setZero();
       for (std::size_t c = 0; c < 4; ++c)
-        point.barycentric += (c == q ? QuadraticTet::kNear : QuadraticTet::kFar) * place_of(whole, fine_.tets[s][c]);
+        point.barycentric +=
+            (c == q ? QuadraticTet::kNear : QuadraticTet::kFar) * place_in(whole, refined_.model.tets[s][c]);
       point.stress = own[q].stress;
       point.growth_gap = own[q].growth_gap;
     }

@@ -15,9 +15,9 @@
 #include <stop_token>
 #include <vector>
 
+#include "sim/accuracy/refined_model.h"
 #include "sim/elements/quadratic_tet.h"
 #include "sim/material/law.h"
-#include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
 #include "sim/model/state.h"
 #include "sim/reference/elasticity.h"
@@ -58,7 +58,7 @@ class RefinedStress {
     std::array<PointState, QuadraticTet::kPoints> points;
   };
 
-  void cut(const State& state);
+  void make_elements();
   void update_points();
   void move_on(const Vectors& loads, const std::stop_token& stop);
   Vectors loads_of(const Vectors& coarse_forces) const;
@@ -68,12 +68,7 @@ class RefinedStress {
   bool solve(const Vectors& residual, const std::stop_token& stop, Vectors& delta) const;
 
   const Model& model_;
-  Model fine_;
-  State fine_state_;
-  std::vector<std::uint32_t> tets_;            // of the model
-  std::vector<std::uint32_t> first_of_;        // [tet of the model] its first one in elements_
-  std::vector<MidEdge> coarse_edges_, edges_;  // of the quadratic tets and of the finer ones
-  std::vector<char> held_;                     // [vertex] of the finer mesh
+  RefinedModel refined_;
   std::vector<Element> elements_;
   bool converged_ = false;
 };

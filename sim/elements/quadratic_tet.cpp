@@ -32,10 +32,17 @@ QuadraticTet::ShapeGradients QuadraticTet::shape_gradients(const Vector4d& l) co
   return shape;
 }
 
+const std::vector<QuadraticTet::Barycentric>& QuadraticTet::points() {
+  static const std::vector<Barycentric> all = [] {
+    std::vector<Barycentric> points(kPoints, Barycentric::Constant(kFar));
+    for (int q = 0; q < kPoints; ++q) points[static_cast<std::size_t>(q)][q] = kNear;
+    return points;
+  }();
+  return all;
+}
+
 QuadraticTet::ShapeGradients QuadraticTet::shape_gradients_at_point(int q) const {
-  Vector4d l = Vector4d::Constant(kFar);
-  l[q] = kNear;
-  return shape_gradients(l);
+  return shape_gradients(points()[static_cast<std::size_t>(q)]);
 }
 
 // Corner c has L_c = 1: with b the other corners and cb the middle of the edge to b,

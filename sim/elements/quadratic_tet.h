@@ -25,6 +25,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "sim/elements/linear_tet.h"
 
@@ -44,6 +45,7 @@ struct QuadraticTet {
 
   /// Barycentric coordinates of point q: kNear for corner q, kFar for the three others. Every weight is V / 4.
   static constexpr double kNear = 0.58541019662496845446, kFar = 0.13819660112501051518;  // (5 + 3 sqrt 5) / 20, ...
+  static const std::vector<Barycentric>& points();
   /// Shares of the mass of the element.
   static constexpr double kCornerMass = 1.0 / 36, kMidEdgeMass = 4.0 / 27;
 

@@ -55,15 +55,6 @@ struct TetShape {
   double strain = 0, von_mises = 0;
 };
 
-const std::vector<Eigen::Vector4d>& integration_points() {
-  static const std::vector<Eigen::Vector4d> points = [] {
-    std::vector<Eigen::Vector4d> list(QuadraticTet::kPoints, Eigen::Vector4d::Constant(QuadraticTet::kFar));
-    for (int q = 0; q < QuadraticTet::kPoints; ++q) list[static_cast<std::size_t>(q)][q] = QuadraticTet::kNear;
-    return list;
-  }();
-  return points;
-}
-
 TetShape shape_of(const Model& model, const LinearTet& rest, const State& state, std::size_t t) {
   const Material& material = model.materials[model.tet_material[t]];
   if (!model.is_quadratic(t)) {
@@ -75,7 +66,7 @@ TetShape shape_of(const Model& model, const LinearTet& rest, const State& state,
   const QuadraticTet tet(rest);
   const QuadraticTet::Nodes u = gather(state.displacement, model.element(t));
   TetShape shape{0, 0, volume_ratios(tet, u, true)};
-  const std::vector<Matrix3d> stresses = first_piola_stresses(tet, u, material, integration_points());
+  const std::vector<Matrix3d> stresses = first_piola_stresses(tet, u, material, QuadraticTet::points());
   const QuadraticTet::PointGradients at_points = tet.at_points(u);
   for (std::size_t q = 0; q < at_points.size(); ++q) {
     const Matrix3d f = Matrix3d::Identity() + at_points[q];

@@ -1,5 +1,5 @@
 // The stress that quadratic tets lack, against meshes of which each tet is cut in eight.
-// Covers: spread_loads
+// Covers: refined_model, spread_loads
 #include "sim/accuracy/refined_stress.h"
 
 #include <catch2/catch.hpp>
@@ -7,6 +7,7 @@
 
 #include "sim/accuracy/mesh_error.h"
 #include "sim/accuracy/recovered_stress.h"
+#include "sim/accuracy/refined_model.h"
 #include "sim/mesh/linear_tets.h"
 #include "tests/sim/reference/box_model.h"
 
@@ -70,6 +71,55 @@ TEST_CASE("the error of quadratic tets is the difference to the same body with e
   CHECK(RefinedStress(model, state).converged());
   CHECK(estimate.displacement > 0.7 * error);
   CHECK(estimate.displacement < 1.5 * error);
+}
+
+TEST_CASE("steps that would raise the energy are halved, so that the search ends in the finer mesh's equilibrium") {
+  // The bar bends by more than its thickness. Whole steps fold its tets.
+  const MaterialModel law =
+      GENERATE(MaterialModel::squared, MaterialModel::neo_hookean, MaterialModel::stable_neo_hookean);
+  Material material = soft(1e6, 0.45);
+  material.model = law;
+  Model model = quadratic(
+      make_model(make_box(2, 1, 1, {0.4, 0.1, 0.1}), material, [](const Vector3d& x) { return x.x() < 1e-9; }));
+  model.gravity = {0, -300, 0};
+  const State state = at_rest(model);
+  const RefinedStress search(model, state);
+  REQUIRE(search.converged());
+
+  RefinedModel fine = refined(model, state);
+  fine.model.gravity = model.gravity;
+  fine.model.initial_velocity.assign(fine.model.rest_positions.size(), Vector3d::Zero());
+  const State finer = at_rest(fine.model);
+  double difference = 0, size = 0;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const auto found = search.at(t);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const auto expected = stresses_of(fine.model, finer, fine.first_of[t] + k, QuadraticTet::points());
+      for (std::size_t q = 0; q < expected.size(); ++q) {
+        difference += (found[4 * k + q].stress - expected[q].stress).squaredNorm();
+        size += expected[q].stress.squaredNorm();
+      }
+    }
+  }
+  CAPTURE(name_of(law), difference, size);
+  CHECK(std::sqrt(difference / size) < 0.01);  // the search ends at a share of 1e-5 of its work
+}
+
+TEST_CASE("a finer mesh has the motion of the tets that are cut") {
+  const Model model = irregular({0, false, {0, -9.81, 0}}, false);  // nu = 0: no change of volume to average
+  const State state = at_rest(model);
+  const RefinedModel fine = refined(model, state);
+  REQUIRE(fine.model.tets.size() == 8 * model.tets.size());
+  double volume = 0, expected = 0;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) expected += volume_of(model, t);
+  for (std::size_t s = 0; s < fine.model.tets.size(); ++s) volume += volume_of(fine.model, s);
+  CHECK(volume == Approx(expected).epsilon(1e-12));
+  State moved = state;
+  moved.displacement = fine.state.displacement;
+  moved.velocity.assign(moved.displacement.size(), Vector3d::Zero());
+  const reference::Measures coarse = reference::measure(model, state), finer = reference::measure(fine.model, moved);
+  CHECK(finer.elastic == Approx(coarse.elastic).epsilon(1e-4));  // of degree 4, the points are exact up to 2
+  CHECK(finer.volume_ratio == Approx(coarse.volume_ratio).epsilon(1e-10));
 }
 
 TEST_CASE("in a mixed model linear and quadratic bodies have the errors that they have alone") {
