@@ -1,6 +1,10 @@
 #include "app/kernels/kernel_warmup.h"
 
+#include <signal.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -13,6 +17,22 @@ namespace {
 // [s] of CPU time: a run with cached kernels takes a fraction of it, a run that compiles them several times as much.
 constexpr double kCompiles = 1;
 
+constexpr std::string_view kName = "fascia-kernels-", kEnding = ".json";  // around the number of a process
+
+/// Removes the scenes of programs that were killed.
+void remove_abandoned(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kName) || !name.ends_with(kEnding)) continue;
+    const char* const end = name.data() + name.size() - kEnding.size();
+    pid_t owner = 0;
+    const auto read = std::from_chars(name.data() + kName.size(), end, owner);
+    if (read.ec != std::errc() || read.ptr != end || owner <= 0) continue;
+    if (kill(owner, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+  }
+}
+
 }  // namespace
 
 KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const fs::path& data_dir) : scene_(scene) {
@@ -20,7 +40,8 @@ KernelWarmup::KernelWarmup(const fs::path& program, const Scene& scene, const fs
     Scene timeless = scene;
     timeless.duration = 0;
     const fs::path folder = fs::temp_directory_path();
-    copy_ = folder / ("fascia-kernels-" + std::to_string(getpid()) + ".json");
+    remove_abandoned(folder);
+    copy_ = folder / (std::string(kName) + std::to_string(getpid()) + std::string(kEnding));
     write_file(copy_, scene_to_json(timeless, folder));
     command_ = {"nice",      "-n",  "5",       program.string(), "kernels",        copy_.string(),
                 "--context", "egl", "--quiet", "--data-dir",     data_dir.string()};

@@ -1,5 +1,9 @@
 // Kernels that another process leaves in the driver's cache.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <thread>
 
 #include "app/kernels/kernel_warmup.h"
@@ -41,6 +45,22 @@ TEST_CASE("another process fills the driver's cache with the kernels of a scene,
   CHECK(scenes_left() == 1);
   CHECK(waited(warmup) == KernelWarmup::State::cached);
   CHECK(scenes_left() == 0);
+}
+
+TEST_CASE("a warm-up removes the scenes of programs that were killed, and no other file") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(), data_dir = find_data_dir("");
+  const pid_t killed = fork();
+  if (killed == 0) _exit(0);
+  REQUIRE(waitpid(killed, nullptr, 0) == killed);  // its number names nothing now
+  const std::filesystem::path abandoned = folder / ("fascia-kernels-" + std::to_string(killed) + ".json"),
+                              running = folder / ("fascia-kernels-" + std::to_string(getppid()) + ".json"),
+                              other = folder / "fascia-kernels-list.json";
+  for (const auto& path : {abandoned, running, other}) std::ofstream(path) << "{}";
+  { KernelWarmup warmup(FASCIA_BINARY, open_scene(data_dir / "assets/scenes/cube.json"), data_dir); }
+  CHECK(!std::filesystem::exists(abandoned));
+  CHECK(std::filesystem::exists(running));
+  CHECK(std::filesystem::exists(other));
+  for (const auto& path : {running, other}) std::filesystem::remove(path);
 }
 
 TEST_CASE("a warm-up reports the failure of its process, and an abandoned one ends its process") {
