@@ -10,12 +10,6 @@ Vector3d within(const Vector3d& q, double bound) {
   return length > bound ? Vector3d(q * (bound / length)) : q;
 }
 
-Vector3d kept_friction(const Vector3d& q, double before, double now, double sticking) {
-  if (before <= 0) return within(q / sticking, now);
-  const double size = q.norm();
-  return size > before ? Vector3d(q * (now / size)) : within(q, now);
-}
-
 double sticking_energy(const Vector3d& q, double bound, double penalty) {
   const double length = q.norm();
   return (length <= bound ? 0.5 * length * length : bound * length - 0.5 * bound * bound) / penalty;

@@ -14,10 +14,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-double penalty_on_sliding(const ToolShape& shape, const RigidPose& before, const RigidPose& after) {
-  return std::holds_alternative<PlaneShape>(shape) || before == after ? kStickingPenalty : kPassingPenalty;
-}
-
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                              const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
                              std::vector<PairRow> pairs, const std::vector<Vector3d>& aim)
@@ -30,9 +26,9 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
     const Tool& tool = model.tools[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
     pieces_.push_back({&tool.shape, tool.pose_of_piece(piece.piece, motion.to[piece.tool]),
-                       motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level)), 0});
+                       motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level)),
+                       std::holds_alternative<PlaneShape>(tool.shape) ? kStickingPenalty : kPassingPenalty});
     const RigidPose& after = pieces_.back().pose;
-    pieces_.back().sticking = penalty_on_sliding(tool.shape, before, after);
     for (std::size_t p = 0; p < piece.points; ++p) {
       Row& row = rows_[piece.first_row + p];
       const Vector3d local = before.to_local(position(surface.points[p], start));
@@ -161,13 +157,11 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
 ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
   ContactMemory memory(slots_);
   pairs_.remember(u, memory);
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row&) {
     const Contact contact = contact_of(piece, p, u);
     ContactForce& force = memory[piece.first_row + p];
-    const double bound = placed.friction * row.pressing;
     force.normal = contact.pressing;
-    force.friction = placed.pose.axes.transpose() *
-                     kept_friction(contact.tangential, bound, placed.friction * contact.pressing, placed.sticking);
+    force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
   });
   return memory;
 }

@@ -27,9 +27,6 @@
 
 namespace fascia {
 
-/// The penalty on sliding over that on depth within a step in which a piece moves from one pose to the other.
-double penalty_on_sliding(const ToolShape& shape, const RigidPose& before, const RigidPose& after);
-
 class ContactEnergy {
  public:
   /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory

@@ -23,7 +23,7 @@ void main() {
   if (i >= points) {
     uint pair = i - points, row = row_of_pair(pair);
     Row r = row_of(pair, u, contact_memory_now[row]);
-    contact_memory_now[row] = vec4(kept_friction(r, friction_of_pair(pair)), r.pressing);
+    contact_memory_now[row] = vec4(within(r.across, friction_of_pair(pair) * r.pressing), r.pressing);
     contact_force[i] = vec4(force_of(r), r.pressing);
     return;
   }
@@ -32,7 +32,7 @@ void main() {
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
     Row r = row_at(piece, row, rest, u, contact_memory_now[row], contact_row[row].xyz);
-    vec3 row_force = force_of(r), across = kept_friction(r, friction_of(piece));
+    vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);
     force += vec4(row_force, r.pressing);

@@ -19,6 +19,6 @@ Row row_of(uint pair, vec3 u, vec4 memory) {
   r.bound = friction_of_pair(pair) * r.before;
   r.sliding = STICKING * r.penalty;
   vec3 q = memory.xyz - r.sliding * way;
-  r.across = q - dot(q, front.xyz) * front.xyz;
+  r.across = r.bound > 0.0 ? q - dot(q, front.xyz) * front.xyz : vec3(0.0);
   return r;
 }

@@ -1,6 +1,6 @@
 // The force, the energy and the stiffness of a row, a contact point at a piece of a tool, as sim/contact/contact_energy.h
-// states them, without the curvature of the tool's surface. STICKING: the penalty on sliding over that on depth, of
-// pairs.
+// states them, without the curvature of the tool's surface. STICKING, PASSING: the penalty on sliding over that on
+// depth, of planes and pairs, and of other shapes.
 #include "common/symmetric.glsl"
 #include "sim/contact/piece.glsl"
 INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the plane that stands for the piece, or NO_PLANE
@@ -8,7 +8,7 @@ INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the pla
 struct Row {
   float pressing, before, depth;           // N [N], lambda [N], -d [m]
   float penalty, sliding;                  // k, c [N/m]
-  vec3 normal, across;                     // n, and q [N]
+  vec3 normal, across;                     // n, and q [N], 0 without friction
   float bound;                             // b [N]
 };
 
@@ -29,22 +29,15 @@ Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec3 anchor) {
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;
   r.bound = friction_of(piece) * r.before;
-  r.sliding = penalty_on_sliding(piece) * r.penalty;
+  r.sliding = (is_plane(piece) ? STICKING : PASSING) * r.penalty;
   vec3 q = pose.axes * memory.xyz - r.sliding * (u - anchor);
-  r.across = q - dot(q, n0.xyz) * n0.xyz;
+  r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);
   return r;
 }
 
 vec3 within(vec3 q, float bound) {
   float size = length(q);
   return size > bound ? q * (bound / size) : q;
-}
-
-// The friction that the next stage starts with: kept_friction() of sim/contact/contact_block.h.
-vec3 kept_friction(Row r, float friction) {
-  float bound = friction * r.pressing, size = length(r.across);
-  if (r.bound <= 0.0) return within(r.across * (r.penalty / r.sliding), bound);
-  return size > r.bound ? r.across * (bound / size) : within(r.across, bound);
 }
 
 vec3 force_of(Row r) { return r.pressing * r.normal + within(r.across, r.bound); }

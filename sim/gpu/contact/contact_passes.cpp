@@ -74,6 +74,7 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
   gl::Defines listed = defines();
   listed.emplace_back("DEFERRED", "1");
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
+  listed.emplace_back("PASSING", std::to_string(kPassingPenalty));
   gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
                        std::move(constants));
   pass.loops(loops_of_point());

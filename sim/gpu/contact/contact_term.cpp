@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "sim/contact/contact_energy.h"
 #include "sim/contact/tissue_cover.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/gpu/contact/piece_rows.h"
@@ -96,7 +95,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   begin_ = gl::Buffer("contact_begin", std::vector<std::uint32_t>(buffers.vertex_count + std::size_t{1}));
   end_ = gl::Buffer("contact_end", std::vector<std::uint32_t>(buffers.vertex_count));
   entries_ = gl::Buffer("contact_entries", std::vector<std::uint32_t>(entries + 4 * pairs_.slot_count()));
-  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 12 * std::max<std::size_t>(surface_.pieces.size(), 1));
+  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * std::max<std::size_t>(surface_.pieces.size(), 1));
   near_ = gl::Buffer("contact_near", near);
   counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(stretches() + 1));
   list_ = gl::Buffer("contact_list", none);
@@ -201,7 +200,6 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row_of(to.pose.origin, std::min(finest_radius(tool.shape), 1e30)));
-    rows.push_back(row_of({penalty_on_sliding(tool.shape, before, after), 0, 0}));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;

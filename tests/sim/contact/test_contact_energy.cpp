@@ -54,29 +54,6 @@ TEST_CASE("forces of contact are the gradient of its energy, and its blocks thei
   }
 }
 
-TEST_CASE("what slid bears all of its friction in the next step, what sticks keeps its own", "[contact]") {
-  const Vector3d q(3, 4, 0), along = q / 5;
-  const double sticking = 0.1;
-  // |q| is 5: within its bound it stays, as far as the bound at the end lets it.
-  CHECK(kept_friction(q, 6, 8, sticking) == q);
-  CHECK((kept_friction(q, 6, 2, sticking) - 2 * along).norm() < 1e-12);
-  // It slid, and bears the bound at the end, whether that is less or more.
-  CHECK((kept_friction(q, 4, 3, sticking) - 3 * along).norm() < 1e-12);
-  CHECK((kept_friction(q, 4, 9, sticking) - 9 * along).norm() < 1e-12);
-  // It has just touched: q = -c s is a tenth of -k s.
-  CHECK((kept_friction(q, 0, 100, sticking) - 10 * q).norm() < 1e-12);
-  CHECK((kept_friction(q, 0, 7, sticking) - 7 * along).norm() < 1e-12);
-  CHECK(kept_friction({0, 0, 0}, 0, 7, sticking) == Vector3d(0, 0, 0));
-}
-
-TEST_CASE("the penalty on sliding is soft on planes and under what stands still", "[contact]") {
-  const RigidPose here, there{Eigen::Matrix3d::Identity(), {0, 0.001, 0}};
-  CHECK(penalty_on_sliding(SphereShape{{0, 0, 0}, 1}, here, here) == kStickingPenalty);
-  CHECK(penalty_on_sliding(SphereShape{{0, 0, 0}, 1}, here, there) == kPassingPenalty);
-  CHECK(penalty_on_sliding(BoxShape{{0, 0, 0}, {1, 1, 1}}, here, there) == kPassingPenalty);
-  CHECK(penalty_on_sliding(PlaneShape{{0, 0, 0}, {0, 1, 0}}, here, there) == kStickingPenalty);
-}
-
 TEST_CASE("forces read out are opposite to those on the tissue, and friction keeps within its bound", "[contact]") {
   const Pressed pressed(0.5);
   const ContactEnergy energy = pressed.energy();

@@ -11,16 +11,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cells of 1 cm, held from below; a ball of `radius` [m] is pressed 6 mm deep and slides at `speed` [m/s] for 3 cm.
-Model slab_under_ball(double friction, double speed, double radius = 0.025) {
+// Cells of 1 cm, held from below; a ball of 2.5 cm is pressed 6 mm deep and slides at `speed` [m/s] for 3 cm.
+Model slab_under_ball(double friction, double speed) {
   Model model = test::cube(0.1, 10, test::soft_tissue(1e5, 0.01));
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
     if (model.rest_positions[v].y() == 0) model.fixed.push_back(v);
   model.gravity.setZero();
-  model.tools = {test::tool("ball", SphereShape{{0, 0, 0}, radius}, friction,
-                            {{0, {0.035, 0.101 + radius, 0.05}, {0, 0, 0}},
-                             {0.2, {0.035, 0.094 + radius, 0.05}, {0, 0, 0}},
-                             {0.2 + 0.03 / speed, {0.065, 0.094 + radius, 0.05}, {0, 0, 0}}})};
+  model.tools = {test::tool("ball", SphereShape{{0, 0, 0}, 0.025}, friction,
+                            {{0, {0.035, 0.126, 0.05}, {0, 0, 0}},
+                             {0.2, {0.035, 0.119, 0.05}, {0, 0, 0}},
+                             {0.2 + 0.03 / speed, {0.065, 0.119, 0.05}, {0, 0, 0}}})};
   return model;
 }
 
@@ -53,16 +53,6 @@ TEST_CASE("a ball that slides over tissue drags it with mu times its force", "[g
   CAPTURE(friction, speed, smooth, rough);
   CHECK(std::abs(smooth) < 0.05);
   CHECK(rough - smooth == Approx(friction).epsilon(0.06));
-}
-
-// Few points touch it at a time, and each for some millimeters. Where points had to slide until they bore their
-// friction, it was 0.38 and 0.19 instead of 0.5.
-TEST_CASE("a ball as small as a cell drags tissue with most of mu times its force", "[gpu][contact]") {
-  const double speed = GENERATE(0.1, 0.02);
-  const double drag = drag_on_gpu(slab_under_ball(0.5, speed, 0.01)) - drag_on_gpu(slab_under_ball(0, speed, 0.01));
-  CAPTURE(speed, drag);
-  CHECK(drag > 0.35);
-  CHECK(drag < 0.55);
 }
 
 TEST_CASE("the drag of a ball that slides over tissue is that of the reference", "[gpu][contact]") {
