@@ -1,11 +1,10 @@
-// Forces of tets that are summed within work groups, against the slots of each pair and the reference's gradient.
+// The lists by which work groups sum forces of tets. tests/sim/gpu/methods/test_two_level.cpp compares the sums with
+// the reference's gradient.
 #include <catch2/catch.hpp>
-#include <map>
 #include <set>
 
 #include "sim/gpu/passes/force_clusters.h"
 #include "sim/gpu/solver.h"
-#include "sim/ordering/mesh_order.h"
 #include "tests/support/gpu/gpu_fixture.h"
 #include "tests/support/models.h"
 
@@ -73,7 +72,7 @@ TEST_CASE("an iteration of a large mesh moves at most 260 bytes for each tet", "
   Gpu gpu(gl::LoadPath::storage);
   const Model plain = make_model(make_box(64, 16, 16, {1, 0.25, 0.25}), {1e6, 0.3, 1000, 0},
                                  [](const Vector3d& x) { return x.x() < 1e-9; });
-  GpuSolver solver(gpu.programs, Model(plain), {});
+  GpuSolver solver(gpu.programs, plain, {});
   const double bytes = solver.bytes_per_iteration() / static_cast<double>(plain.tets.size());
   CAPTURE(plain.tets.size(), bytes);
   CHECK(bytes > 200);  // less would be miscounted
