@@ -1,5 +1,6 @@
 #include "gl/loader.h"
 
+#include <array>
 #include <cctype>
 #include <cstdio>
 
@@ -40,6 +41,18 @@ bool has_extension(const std::string& name) {
   for (GLuint i = 0; i < static_cast<GLuint>(integer_of(GL_NUM_EXTENSIONS)); ++i)
     if (name == reinterpret_cast<const char*>(GetStringi(GL_EXTENSIONS, i))) return true;
   return false;
+}
+
+/// EXT_memory_object, which Khronos's core header lacks.
+std::string device_uuid(GetProc get_proc) {
+  constexpr GLenum kDeviceUuid = 0x9597;  // GL_DEVICE_UUID_EXT
+  constexpr std::size_t kBytes = 16;      // GL_UUID_SIZE_EXT
+  const auto read = reinterpret_cast<void (*)(GLenum, GLuint, GLubyte*)>(get_proc("glGetUnsignedBytei_vEXT"));
+  if (!read || !has_extension("GL_EXT_memory_object")) return "";
+  std::array<GLubyte, kBytes> bytes{};
+  read(kDeviceUuid, 0, bytes.data());
+  if (GetError() != GL_NO_ERROR || bytes == std::array<GLubyte, kBytes>{}) return "";
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace
@@ -97,6 +110,7 @@ void load(GetProc get_proc) {
     now.max_storage_block_size = block_size;
     GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &now.max_compute_groups);
     if (!now.software) GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &now.timestamp_bits);
+    now.uuid = device_uuid(get_proc);
     now.links_beside =
         has_extension("GL_KHR_parallel_shader_compile") || has_extension("GL_ARB_parallel_shader_compile");
   }

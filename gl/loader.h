@@ -69,6 +69,7 @@ void forget_errors();
 struct Device {
   std::string renderer;                     // GL_RENDERER
   std::string version;                      // GL_VERSION
+  std::string uuid{};                       // tells equal devices apart, 16 bytes; empty where unknown
   bool software = false;                    // computed by the CPU: llvmpipe, softpipe, ...
   int max_texture_buffer_size = 0;          // texels
   int max_compute_storage_blocks = 0;       // SSBO blocks in one compute kernel

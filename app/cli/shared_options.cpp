@@ -72,8 +72,8 @@ void add_graphics(CLI::App& command, CommonOptions& options) {
       ->capture_default_str();
   command
       .add_option("--device", options.device,
-                  "number of the EGL device that computes, of those that fascia info --device lists; without it the "
-                  "first GPU")
+                  "number of the EGL device that computes and draws, of those that fascia info --device lists; without "
+                  "it the first GPU, and for a window that of its display")
       ->type_name("N")
       ->check(at_least(0));
   add_choice(command, "--loads", options.loads, {"auto", "ssbo", "texel"},

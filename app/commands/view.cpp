@@ -28,6 +28,8 @@ int open_window(const ViewOptions& options) {
   Graphics graphics = open_graphics(options, true, options.width, options.height,
                                     workload_of(opened.scene, opened.model, options.static_equilibrium));
   Window window(graphics, options, std::move(opened));
+  if (!options.quiet && !graphics.context->other_device.empty())
+    std::cerr << "fascia: " << graphics.context->other_device << '\n';
   if (!options.quiet)
     for (const std::string& note : window.simulation().model.notes) std::cerr << "fascia: " << note << '\n';
   window.run();

@@ -55,6 +55,8 @@ void announce(const CommonOptions& options, const Graphics& graphics, const std:
   if (graphics.context) std::cerr << "fascia: " << describe(graphics) << '\n';
   if (graphics.context && !graphics.context->passed_over.empty())
     std::cerr << "fascia: no GPU is used: " << graphics.context->passed_over << '\n';
+  if (graphics.context && !graphics.context->other_device.empty())
+    std::cerr << "fascia: " << graphics.context->other_device << '\n';
   for (const std::string& note : notes) std::cerr << "fascia: " << note << '\n';
 }
 

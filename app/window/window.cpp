@@ -60,6 +60,8 @@ Window::Window(Graphics& graphics, const ViewOptions& options, Opened opened)
     stage_.session =
         std::make_unique<Session>(graphics, std::move(other.scene), std::move(other.model), options.reference);
   }
+  const std::string& other_device = graphics.context->other_device;
+  if (options.device >= 0 && !other_device.empty()) stage_.messages.say(other_device);
   if (options.static_equilibrium) {
     const StaticReport report = stage_.simulation().solve_static();
     if (!options.quiet || !report.converged) std::cerr << "fascia: " << describe(report) << '\n';

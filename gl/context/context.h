@@ -22,6 +22,8 @@ class Context {
 
   /// Why auto took none of the GPUs that the system shows; empty if it shows none, or one was taken.
   std::string passed_over{};
+  /// Of a window: that another device draws it than the one that was asked for, or that computes without a window.
+  std::string other_device{};
 };
 
 struct ContextRequest {
@@ -30,7 +32,9 @@ struct ContextRequest {
   int width = 1280, height = 720;
   std::string title = "fascia";
   bool debug = false;  // KHR_debug output, synchronous
-  int device = -1;     // number of the EGL device, with which auto means egl; -1: the first GPU
+  // Number of an EGL device, with which auto means egl where no window is wanted; -1: the first GPU, of a window that
+  // of its display.
+  int device = -1;
 };
 
 /// auto, egl or osmesa. The context is current and loaded (gl::load). Throws Error with the attempts and the reason of
@@ -44,13 +48,19 @@ std::unique_ptr<Context> make_egl_context(const ContextRequest& request, EglDevi
 
 /// What EGL offers: its devices in their order, and then Mesa's surfaceless platform.
 struct EglDevice {
-  std::string name;      // "device 0", "surfaceless"
-  std::string file;      // "/dev/dri/card0", where known
+  std::string name;       // "device 0", "surfaceless"
+  std::string file;       // "/dev/dri/card0", where known
+  bool software = false;  // computed by the CPU
+  bool nvidia = false;    // by NVIDIA's own driver
+  // Of egl_devices() only:
   std::string renderer;  // with its version; empty where there is no context
-  bool software = false;
-  std::string refusal;  // why there is no context
+  std::string refusal;   // why there is no context
 };
+/// As EGL describes them, without a context. Throws Error without EGL.
+std::vector<EglDevice> list_egl_devices();
 /// Makes a context on each for a moment, after which none is current. Throws Error without EGL.
 std::vector<EglDevice> egl_devices();
+/// Whether the system shows a device that could be a GPU, which takes no time to find out.
+bool may_have_gpu();
 
 }  // namespace fascia

@@ -70,13 +70,18 @@ struct Candidate {
   void* native;
 };
 
-/// The file of the graphics card, if EGL knows it.
-std::string file_of(const Candidate& candidate) {
-  if (candidate.platform != EGL_PLATFORM_DEVICE_EXT || !egl().query_device_string) return "";
+/// What EGL knows of it without a context.
+EglDevice describe(const Candidate& candidate) {
+  EglDevice found;
+  found.name = candidate.name;
+  if (candidate.platform != EGL_PLATFORM_DEVICE_EXT || !egl().query_device_string) return found;
   const auto device = static_cast<EGLDeviceEXT>(candidate.native);
-  if (!has_word(egl().query_device_string(device, EGL_EXTENSIONS), "EGL_EXT_device_drm")) return "";
-  const char* file = egl().query_device_string(device, EGL_DRM_DEVICE_FILE_EXT);
-  return file ? file : "";
+  const char* const extensions = egl().query_device_string(device, EGL_EXTENSIONS);
+  found.software = has_word(extensions, "EGL_MESA_device_software");
+  found.nvidia = has_word(extensions, "EGL_NV_device_cuda");
+  if (has_word(extensions, "EGL_EXT_device_drm"))
+    if (const char* file = egl().query_device_string(device, EGL_DRM_DEVICE_FILE_EXT)) found.file = file;
+  return found;
 }
 
 std::vector<Candidate> candidates() {
@@ -170,10 +175,16 @@ class EglContext : public Context {
 
 }  // namespace
 
+std::vector<EglDevice> list_egl_devices() {
+  std::vector<EglDevice> found;
+  for (const Candidate& candidate : candidates()) found.push_back(describe(candidate));
+  return found;
+}
+
 std::vector<EglDevice> egl_devices() {
   std::vector<EglDevice> found;
   for (const Candidate& candidate : candidates()) {
-    EglDevice& device = found.emplace_back(EglDevice{candidate.name, file_of(candidate), "", false, ""});
+    EglDevice& device = found.emplace_back(describe(candidate));
     try {
       EglContext context(candidate);
       context.create(false);

@@ -6,10 +6,8 @@
 #include "base/error.h"
 
 namespace fascia {
-namespace {
-
-// Whether the kernel shows a device that could be a GPU: Linux's own drivers, NVIDIA's, and those of virtual machines
-// and phones. To open EGL and look takes longer than most runs where there is none.
+// Looks for devices of Linux's own drivers, NVIDIA's, and those of virtual machines and phones. To open EGL and look
+// takes longer than most runs where there is none.
 bool may_have_gpu() {
   namespace fs = std::filesystem;
   std::error_code none;
@@ -21,8 +19,6 @@ bool may_have_gpu() {
     if (fs::exists(device, none)) return true;
   return !fs::exists("/dev", none);  // not Linux
 }
-
-}  // namespace
 
 std::unique_ptr<Context> make_headless_context(const ContextRequest& request) {
   const bool with_device = request.device >= 0;

@@ -8,7 +8,8 @@ namespace fascia {
 /// the missing compute support.
 std::unique_ptr<Context> make_context(const ContextRequest& request);
 
-/// Throws Error without a display.
+/// With a device of the request, drawn by that device if the display permits it; else Context::other_device says so.
+/// Throws Error without a display, or without such a device.
 std::unique_ptr<Context> make_window_context(const ContextRequest& request);
 
 }  // namespace fascia

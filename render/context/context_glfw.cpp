@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "gl/loader.h"
 #include "render/context/context.h"
+#include "render/context/window_device.h"
 
 namespace fascia {
 namespace {
@@ -68,8 +69,17 @@ class GlfwContext : public Context {
 }  // namespace
 
 std::unique_ptr<Context> make_window_context(const ContextRequest& request) {
+  gl::Device wanted;
+  if (request.device >= 0) wanted = ask_for_window_device(request.device);
   auto context = std::make_unique<GlfwContext>(request);
   context->make_current();
+  const gl::Device came = gl::device();
+  if (request.device < 0) {
+    context->other_device = other_device_without_window(came);
+    context->make_current();
+  } else {
+    context->other_device = other_device_than(request.device, wanted, came);
+  }
   return context;
 }
 

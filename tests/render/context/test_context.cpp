@@ -160,6 +160,31 @@ TEST_CASE("hidden: window", "[.]") {
   kernel.reset();
 }
 
+TEST_CASE("hidden: window of a device", "[.]") {
+  CHECK(error_of([] { make_context({.for_view = true, .title = "", .device = 31}); }) ==
+        "--device 31: EGL has no device of this number; expected one that fascia info --device lists");
+  const std::vector<EglDevice> devices = list_egl_devices();
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    CAPTURE(devices[i].name, devices[i].file);
+    if (!devices[i].software) continue;  // whether a display lets a GPU draw its windows is the system's choice
+    const auto context = make_context({.for_view = true, .width = 64, .height = 48, .title = "", .device = int(i)});
+    CHECK(context->name() == "window");
+    CHECK(context->is_current());
+    CHECK(gl::device().software);
+    CHECK(context->other_device.empty());
+    CHECK(std::getenv("LIBGL_ALWAYS_SOFTWARE") == std::string("1"));
+    const Kernel kernel;
+    CHECK(kernel.run() == kSquares);
+  }
+}
+
+TEST_CASE("a software renderer that --device names draws a window") {
+  const auto child = run_hidden({"xvfb-run", "-a", "env", "-u", "WAYLAND_DISPLAY", "-u", "LIBGL_ALWAYS_SOFTWARE"},
+                                "hidden: window of a device");
+  INFO(child.out << child.err);
+  CHECK(child.exit_code == 0);
+}
+
 TEST_CASE("a window computes and shows pictures") {
   const auto child = run_hidden({"xvfb-run", "-a", "env", "-u", "WAYLAND_DISPLAY"}, "hidden: window");
   INFO(child.out << child.err);
