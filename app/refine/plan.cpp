@@ -18,6 +18,18 @@ constexpr double kRounding = 1e-6;
 // What a substep takes beside its iterations is measured as a difference of times, which scatter: at most this.
 constexpr double kMostBeside = 0.5;  // of the time with `many` iterations
 
+bool of_one_kind(const Trial& a, const Trial& b) { return a.elements == b.elements && a.integrator == b.integrator; }
+
+/// Whether another trial says more about so many substeps.
+bool superseded(const Trial& trial, int substeps, const std::vector<Trial>& trials) {
+  const auto nearer = [&](const Trial& other) {
+    if (!of_one_kind(trial, other)) return false;
+    if (trial.substeps > substeps) return other.substeps < trial.substeps;
+    return other.substeps <= substeps && other.substeps > trial.substeps;
+  };
+  return std::any_of(trials.begin(), trials.end(), nearer);
+}
+
 }  // namespace
 
 double Trial::ns_per_tet_iteration() const {
@@ -49,7 +61,8 @@ Plan plan_for(const std::vector<Trial>& trials, double error, double ms) {
   };
   for (const Trial& trial : trials)
     for (int doublings = kCoarsest; doublings <= kFinest; ++doublings)
-      for (const int substeps : kSubsteps)
+      for (const int substeps : kSubsteps) {
+        if (superseded(trial, substeps, trials)) continue;
         for (const int iterations : kIterations) {
           const Proposal candidate = predicted(trial, std::cbrt(std::pow(2.0, doublings)), substeps, iterations);
           if (!std::isfinite(candidate.error())) continue;
@@ -57,7 +70,15 @@ Plan plan_for(const std::vector<Trial>& trials, double error, double ms) {
           if (candidate.error() <= error) keep(plan.exact, candidate, faster);
           if (candidate.ms <= ms) keep(plan.fast, candidate, better);
         }
+      }
   return plan;
+}
+
+bool measured(const Proposal& proposal, const std::vector<Trial>& trials) {
+  return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
+    return trial.elements == proposal.elements && trial.integrator == proposal.integrator &&
+           trial.substeps == proposal.substeps;
+  });
 }
 
 }  // namespace fascia

@@ -47,7 +47,11 @@ struct Plan {
   std::optional<Proposal> exact;   // the fastest one within the error, whatever it takes
   std::optional<Proposal> fast;    // the most accurate one within the time
 };
-/// `error`: relative. `ms`: of a step.
+/// `error`: relative. `ms`: of a step. Of trials that differ in their substeps alone, each choice follows from the one
+/// with the most substeps of those that do not have more than it.
 Plan plan_for(const std::vector<Trial>& trials, double error, double ms);
+
+/// Whether a trial has the elements, the integrator and the substeps of the proposal.
+bool measured(const Proposal& proposal, const std::vector<Trial>& trials);
 
 }  // namespace fascia

@@ -76,23 +76,35 @@ Trial trial_of(const Scene& scene, const Model& model, gl::ProgramCache& program
 
 }  // namespace
 
+Trial run_trial(const Scene& scene, gl::ProgramCache& programs, long steps, const Proposal& choice,
+                const std::function<void(const std::string&)>& say) {
+  Scene chosen = scene;
+  for (Body& body : chosen.bodies) body.elements = choice.elements;
+  chosen.solver.integrator = choice.integrator;
+  chosen.solver.substeps = choice.substeps;
+  const Trial trial = trial_of(chosen, build_model(chosen), programs, steps);
+  if (interrupted()) return trial;
+  const std::string substeps = trial.substeps == 1 ? "" : ", " + std::to_string(trial.substeps) + " substeps";
+  say(std::to_string(trial.tets) + ' ' + name_of(trial.elements) + " tets, " + name_of(trial.integrator) + substeps +
+      ": mesh " + number(100 * trial.mesh) + " %, time " + number(100 * trial.time) + " %, solver " +
+      number(100 * trial.solver_few) + " % with " + std::to_string(trial.few) + " iterations and " +
+      number(100 * trial.solver_many) + " % with " + std::to_string(trial.many) + "; " + number(trial.ms_few) +
+      " and " + number(trial.ms_many) + " ms a step");
+  return trial;
+}
+
 std::vector<Trial> run_trials(const Scene& scene, gl::ProgramCache& programs, long steps,
                               const std::function<void(const std::string&)>& say) {
   std::vector<Trial> trials;
   for (const ElementOrder elements : kElementOrders) {
     if (elements == ElementOrder::quadratic && scene.solver.method != Method::two_level) continue;
-    Scene chosen = scene;
-    for (Body& body : chosen.bodies) body.elements = elements;
-    const Model model = build_model(chosen);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::bdf2}) {
-      chosen.solver.integrator = integrator;
-      const Trial trial = trial_of(chosen, model, programs, steps);
+      Proposal choice;
+      choice.elements = elements;
+      choice.integrator = integrator;
+      choice.substeps = scene.solver.substeps;
+      const Trial trial = run_trial(scene, programs, steps, choice, say);
       if (interrupted()) return trials;
-      say(std::to_string(trial.tets) + ' ' + name_of(elements) + " tets, " + name_of(integrator) + ": mesh " +
-          number(100 * trial.mesh) + " %, time " + number(100 * trial.time) + " %, solver " +
-          number(100 * trial.solver_few) + " % with " + std::to_string(trial.few) + " iterations and " +
-          number(100 * trial.solver_many) + " % with " + std::to_string(trial.many) + "; " + number(trial.ms_few) +
-          " and " + number(trial.ms_many) + " ms a step");
       trials.push_back(trial);
     }
   }

@@ -15,4 +15,8 @@ namespace fascia {
 std::vector<Trial> run_trials(const Scene& scene, gl::ProgramCache& programs, long steps,
                               const std::function<void(const std::string&)>& say);
 
+/// One more, with these elements, this integrator and so many substeps. Throws Error.
+Trial run_trial(const Scene& scene, gl::ProgramCache& programs, long steps, const Proposal& choice,
+                const std::function<void(const std::string&)>& say);
+
 }  // namespace fascia

@@ -73,28 +73,30 @@ EnrichedStress::Vectors EnrichedStress::loads_of_edges() const {
     tets.push_back(element.tet);
     for (std::size_t a = 0; a < 4; ++a) forces[model_.tets[element.tet][a]] += element.forces.col(static_cast<int>(a));
   }
-  const SpreadLoads loads = spread_loads(model_, tets, ends_, forces);
+  Middles middles;
+  for (std::size_t e = 0; e < ends_.size(); ++e) middles.emplace(ends_[e], static_cast<std::uint32_t>(vertices + e));
+  const Vectors field = spread_field(model_, tets, middles, forces);
   for (const Element& element : elements_) {
     const Tet& tet = model_.tets[element.tet];
     const double mass = model_.materials[model_.tet_material[element.tet]].density * element.rest.volume;
     Vector3d all = Vector3d::Zero();
-    for (const std::uint32_t v : tet) all += loads.field[v];
+    for (const std::uint32_t v : tet) all += field[v];
     for (std::size_t e = 0; e < 6; ++e) {
       const auto [a, b] = kMidEdgeCorners[e];
-      const Vector3d ends = loads.field[tet[a]] + loads.field[tet[b]];
+      const Vector3d ends = field[tet[a]] + field[tet[b]];
       residual[element.edges[e]] +=
           mass / 30 * (all + ends) - element.forces.col(static_cast<int>(a)) - element.forces.col(static_cast<int>(b));
     }
   }
-  std::map<std::array<std::uint32_t, 2>, std::size_t> numbers;
-  for (std::size_t e = 0; e < ends_.size(); ++e) numbers.emplace(ends_[e], vertices + e);
-  for (const Triangle& face : loads.surface) {
-    const double area = face_area(model_, face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
-      residual[numbers.at({std::min(a, b), std::max(a, b)})] +=
-          area / 15 * (2 * loads.traction[a] + 2 * loads.traction[b] + loads.traction[c]);
-    }
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    const LinearTet& rest = elements_[t].rest;
+    const Tet& tet = model_.tets[tets[t]];
+    const double mass = model_.materials[model_.tet_material[tets[t]]].density * rest.volume / 4;
+    for (const std::uint32_t v : tet) forces[v] -= mass * field[v];
+  }
+  for (const FaceLoad& load : spread_on_faces(model_, tets, middles, held_, forces, true)) {
+    const std::array<Vector3d, 6> of_face = forces_of(load);
+    for (std::size_t k = 3; k < 6; ++k) residual[load.vertices[k]] += of_face[k];
   }
   for (std::size_t i = 0; i < residual.size(); ++i)
     if (held_[i]) residual[i].setZero();

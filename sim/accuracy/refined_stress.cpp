@@ -137,37 +137,34 @@ void RefinedStress::update_points() {
 }
 
 RefinedStress::Vectors RefinedStress::loads_of(const Vectors& coarse_forces) const {
+  const Middles middles = middles_of(refined_.coarse_edges);
   Vectors on_corners = coarse_forces;
   restrict_to_corners(refined_.coarse_edges, on_corners);
-  std::vector<std::array<std::uint32_t, 2>> ends;
-  for (const MidEdge& edge : refined_.coarse_edges) ends.push_back({edge.a, edge.b});
-  SpreadLoads loads = spread_loads(model_, refined_.tets, ends, on_corners);
-  continue_to(refined_.coarse_edges, loads.field);
-  continue_to(refined_.coarse_edges, loads.traction);
+  Vectors field = spread_field(model_, refined_.tets, middles, on_corners);
+  continue_to(refined_.coarse_edges, field);
+  field.resize(refined_.held.size());
+  continue_to(refined_.edges, field);
 
-  // What the coarse mesh's forces have beside both.
+  // What the coarse mesh's forces have beside the field, and then beside the tractions.
   Vectors result(refined_.held.size(), Vector3d::Zero());
   std::copy(coarse_forces.begin(), coarse_forces.end(), result.begin());
-  for (const std::uint32_t t : refined_.tets) {
-    const double mass = model_.materials[model_.tet_material[t]].density * volume_of(model_, t);
-    const ElementVertices element = model_.element(t);
+  const auto add_field = [&](const Model& model, std::size_t t, double factor) {
+    const double mass = factor * model.materials[model.tet_material[t]].density * volume_of(model, t);
+    const ElementVertices element = model.element(t);
     for (std::size_t n = 0; n < 10; ++n)
-      result[element[n]] -=
-          mass * (n < 4 ? QuadraticTet::kCornerMass : QuadraticTet::kMidEdgeMass) * loads.field[element[n]];
-  }
-  add_traction(model_, loads.surface, refined_.coarse_edges, loads.traction, -1, result);
-
-  loads.field.resize(refined_.held.size());
-  loads.traction.resize(refined_.held.size());
-  continue_to(refined_.edges, loads.field);
-  add_traction(refined_.model, boundary_triangles(refined_.model.tets), refined_.edges, loads.traction, 1, result);
-  for (std::size_t s = 0; s < elements_.size(); ++s) {
-    const Element& element = elements_[s];
-    const double mass = refined_.model.materials[refined_.model.tet_material[s]].density * element.rest.volume;
-    for (std::size_t n = 0; n < 10; ++n)
-      result[element.vertices[n]] +=
-          mass * (n < 4 ? QuadraticTet::kCornerMass : QuadraticTet::kMidEdgeMass) * loads.field[element.vertices[n]];
-  }
+      result[element[n]] += mass * (n < 4 ? QuadraticTet::kCornerMass : QuadraticTet::kMidEdgeMass) * field[element[n]];
+  };
+  const auto add_tractions = [&](const std::vector<FaceLoad>& loads, double factor) {
+    for (const FaceLoad& load : loads) {
+      const std::array<Vector3d, 6> forces = forces_of(load);
+      for (std::size_t i = 0; i < 6; ++i) result[load.vertices[i]] += factor * forces[i];
+    }
+  };
+  for (const std::uint32_t t : refined_.tets) add_field(model_, t, -1);
+  const std::vector<FaceLoad> loads = spread_on_faces(model_, refined_.tets, middles, refined_.held, result, false);
+  add_tractions(loads, -1);
+  add_tractions(on_finer_faces(loads, refined_.model, middles_of(refined_.edges)), 1);
+  for (std::size_t s = 0; s < elements_.size(); ++s) add_field(refined_.model, s, 1);
   return result;
 }
 

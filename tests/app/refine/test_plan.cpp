@@ -74,3 +74,25 @@ TEST_CASE("the plan is the fastest choice within error and time, or says what ea
   CHECK(none.fast->error() > 3e-3);
   CHECK_FALSE(plan_for({}, 0.1, 10).fast);
 }
+
+TEST_CASE("a choice follows from the trial whose substeps are next below its own") {
+  Trial one = trial_of(ElementOrder::quadratic, Integrator::bdf2, 0, 0.4), four = one;
+  four.substeps = 4;
+  four.time = 0.1;  // the order would give 0.025
+  four.ms_few = 14;
+  four.ms_many = 24;
+  // By the first trial alone, four substeps have an error of 0.025.
+  const Plan early = plan_for({one}, 0.05, 1e3), late = plan_for({one, four}, 0.05, 1e3);
+  REQUIRE(early.within);
+  REQUIRE(late.within);
+  CHECK(early.within->substeps == 4);
+  CHECK_FALSE(measured(*early.within, {one}));
+  CHECK(measured(*early.within, {one, four}));
+  CHECK(late.within->substeps == 8);
+  CHECK(late.within->time == Approx(0.025));
+  // Fewer substeps than any trial has follow from the one with the fewest.
+  const Plan only = plan_for({four}, 2, 4);
+  REQUIRE(only.within);
+  CHECK(only.within->substeps < 4);
+  CHECK(only.within->time == Approx(0.1 * std::pow(4.0 / only.within->substeps, 2)));
+}

@@ -1,5 +1,5 @@
 // The stress that quadratic tets lack, against meshes of which each tet is cut in eight.
-// Covers: refined_model, spread_loads
+// Covers: refined_model
 #include "sim/accuracy/refined_stress.h"
 
 #include <catch2/catch.hpp>
