@@ -93,8 +93,8 @@ void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
       areas[buffers_.placement.place[v]] = static_cast<float>(of_vertices[v]);
     areas_ = gl::Buffer("contact_area", areas);
   }
-  bind(TermUse::gradient, bindings);
-  bindings.emplace_back("contact_area", &areas_);
+  bind_entries(bindings);
+  bindings.insert(bindings.end(), {{"contact_force", &forces_}, {"contact_area", &areas_}});
 }
 
 std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {

@@ -1,0 +1,19 @@
+// Sums of contact at every vertex that it touches, over the points around it: force, energy and stiffness. On software
+// renderers, where invocations run in lockstep: kernels over all vertices would wait for the loops of a few. After
+// contact_force.
+#include "common/io.glsl"
+#include "common/step.glsl"
+#include "common/symmetric.glsl"
+COMPUTE_1D
+#define FORCES 1
+#define BLOCKS 1
+#include "sim/contact/gather.glsl"
+OUTPUT(vec4, ContactSums, contact_sums)  // [3 * vertex_count] xyz dE/du [N], w 2 E [J]; xyz h^2 times the stiffness [kg], xx, yy, zz; yz, xz, xy
+
+void main() {
+  ITEM_OR_RETURN(v)
+  contact_sums[3u * v] = gathered_gradient(v);
+  Sym3 block = gathered_block(v, SUBSTEP * SUBSTEP);
+  STORE3(contact_sums[3u * v + 1u], block.d)
+  STORE3(contact_sums[3u * v + 2u], block.s)
+}
