@@ -10,10 +10,16 @@ COMPUTE_1D
 #include "sim/contact/gather.glsl"
 OUTPUT(vec4, ContactSums, contact_sums)  // [3 * vertex_count] xyz dE/du [N], w 2 E [J]; xyz h^2 times the stiffness [kg], xx, yy, zz; yz, xz, xy
 
+#define ADD(point, weight, first)           \
+  ADD_FORCE(gradient, point, weight, first) \
+  ADD_BLOCK(block, SUBSTEP * SUBSTEP, point, weight)
+
 void main() {
   ITEM_OR_RETURN(v)
-  contact_sums[3u * v] = gathered_gradient(v);
-  Sym3 block = gathered_block(v, SUBSTEP * SUBSTEP);
+  vec4 gradient = vec4(0.0);
+  Sym3 block = Sym3(vec3(0.0), vec3(0.0));
+  FOR_POINTS_AROUND(v, ADD)
+  contact_sums[3u * v] = gradient;
   STORE3(contact_sums[3u * v + 1u], block.d)
   STORE3(contact_sums[3u * v + 2u], block.s)
 }

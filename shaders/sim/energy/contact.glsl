@@ -13,7 +13,10 @@ vec4 contact_gradient(uint v, vec3 u, float scale) {
 #if READ_TEXELS
   return scale * FETCH(contact_sums, 3u * v);
 #else
-  return scale * gathered_gradient(v);
+  vec4 sum = vec4(0.0);
+#define ADD(point, weight, first) ADD_FORCE(sum, point, weight, first)
+  FOR_POINTS_AROUND(v, ADD)
+  return scale * sum;
 #endif
 }
 #else
@@ -21,7 +24,10 @@ Sym3 contact_block_of(uint v, float scale) {  // `scale`: h^2
 #if READ_TEXELS
   return Sym3(FETCH(contact_sums, 3u * v + 1u).xyz, FETCH(contact_sums, 3u * v + 2u).xyz);
 #else
-  return gathered_block(v, scale);
+  Sym3 sum = Sym3(vec3(0.0), vec3(0.0));
+#define ADD(point, weight, first) ADD_BLOCK(sum, scale, point, weight)
+  FOR_POINTS_AROUND(v, ADD)
+  return sum;
 #endif
 }
 #endif

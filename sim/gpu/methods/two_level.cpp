@@ -143,7 +143,7 @@ Passes TwoLevelMethod::blocks_in_contact(const Recording& r, bool first) const {
 }
 
 Passes TwoLevelMethod::before(const Recording& r, bool first) const {
-  return gradient_.passes(r, first ? std::nullopt : pending(r));
+  return gradient_.passes(r, first ? std::nullopt : pending(r), first);  // begin() has evaluated the terms last
 }
 
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
