@@ -91,9 +91,9 @@ TouchedNodes touched_nodes(const CoarseSpace& space, PointFunctions& functions,
   return touched;
 }
 
-MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const CoarseSpace& space,
-                           PointFunctions& functions, const std::vector<PointStiffness>& points,
-                           const std::vector<Eigen::Quaternionf>& rotations, double h) {
+MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const CoarseSpace& space, PointFunctions& functions,
+                           const std::vector<PointStiffness>& points, const std::vector<Eigen::Quaternionf>& rotations,
+                           double h) {
   constexpr Index kNowhere = -1;
   std::vector<Index> place(space.node_count, kNowhere);
   for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = static_cast<Index>(k);

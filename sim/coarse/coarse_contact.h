@@ -22,7 +22,7 @@ struct PointStiffness {
   static constexpr std::uint32_t kUnnumbered = 0xffffffff;
   std::array<std::uint32_t, 4> vertices;
   std::array<double, 4> weights;
-  Eigen::Matrix3d stiffness;             // [N/m]
+  Eigen::Matrix3d stiffness;           // [N/m]
   std::uint32_t number = kUnnumbered;  // of a point whose vertices and weights are always the same
 };
 

@@ -18,7 +18,9 @@ void main() {
   ITEM_OR_RETURN(v)
   vec4 gradient = vec4(0.0);
   Sym3 block = Sym3(vec3(0.0), vec3(0.0));
-  FOR_POINTS_AROUND(v, ADD)
+  uint entry = FETCH1(contact_begin, v), end = FETCH1(contact_end, v);
+  do ADD_TWO(entry, ADD)
+  while (++entry < end);  // there is one; llvmpipe runs the body of other loops once more
   contact_sums[3u * v] = gradient;
   STORE3(contact_sums[3u * v + 1u], block.d)
   STORE3(contact_sums[3u * v + 2u], block.s)

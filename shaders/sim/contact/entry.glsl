@@ -6,12 +6,14 @@ INPUT_UINT(ContactEnd, contact_end)           // [vertex_count]
 INPUT_UVEC4(ContactEntries, contact_entries)
 #define FIRST_CORNER 0x80000000u
 #define POINT_OF(entry) ((entry) & ~FIRST_CORNER)
+#define ADD_TWO(entry, ADD)                                               \
+  {                                                                       \
+    uvec4 two = FETCH(contact_entries, entry);                            \
+    ADD(POINT_OF(two.x), uintBitsToFloat(two.y), two.x >= FIRST_CORNER)   \
+    ADD(POINT_OF(two.z), uintBitsToFloat(two.w), two.z >= FIRST_CORNER)   \
+  }
 #define FOR_POINTS_AROUND(v, ADD)                                                                             \
   {                                                                                                           \
     uint end_of_entries = FETCH1(contact_end, v);                                                             \
-    for (uint entry = FETCH1(contact_begin, v); entry < end_of_entries; ++entry) {                            \
-      uvec4 two = FETCH(contact_entries, entry);                                                              \
-      ADD(POINT_OF(two.x), uintBitsToFloat(two.y), two.x >= FIRST_CORNER)                                     \
-      ADD(POINT_OF(two.z), uintBitsToFloat(two.w), two.z >= FIRST_CORNER)                                     \
-    }                                                                                                         \
+    for (uint entry = FETCH1(contact_begin, v); entry < end_of_entries; ++entry) ADD_TWO(entry, ADD)          \
   }

@@ -28,8 +28,7 @@ void ContactTerm::bind(TermUse use, gl::ComputePass::Bindings& bindings) const {
 }
 
 void ContactTerm::bind_entries(gl::ComputePass::Bindings& bindings) const {
-  bindings.insert(bindings.end(),
-                  {{"contact_begin", &begin_}, {"contact_end", &end_}, {"contact_entries", &entries_}});
+  bindings.insert(bindings.end(), {{"contact_begin", &begin_}, {"contact_end", &end_}, {"contact_entries", &entries_}});
 }
 
 gl::Defines ContactTerm::defines() const {
@@ -168,10 +167,8 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
                            {"contact_force", &forces_},
                            {"contact_block", &blocks_}})};
   if (!sums_) return passes;
-  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
-                                     {"contact_force", &forces_},
-                                     {"contact_block", &blocks_},
-                                     {"contact_sums", &sums_}};
+  gl::ComputePass::Bindings bindings{
+      {"step", &buffers.step}, {"contact_force", &forces_}, {"contact_block", &blocks_}, {"contact_sums", &sums_}};
   bind_entries(bindings);
   append(passes, over_touched(programs, "sim/contact/contact_gather.comp", {}, std::move(bindings)));
   return passes;
@@ -223,9 +220,9 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
   if (at.coarse_direction) bindings.emplace_back("coarse_direction", at.coarse_direction);
   Passes passes;
   passes
-      .emplace_back(
-          programs.compute("sim/contact/contact_curvature.comp", {{"SPLIT", at.coarse_direction ? "1" : "0"}}),
-          std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
+      .emplace_back(programs.compute("sim/contact/contact_curvature.comp", {{"SPLIT", at.coarse_direction ? "1" : "0"},
+                                                                            {"PAIRS", pairs_.empty() ? "0" : "1"}}),
+                    std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
       .loops(most / sum.lanes + 2);
   return passes;
 }

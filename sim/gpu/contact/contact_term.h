@@ -111,8 +111,8 @@ class ContactTerm : public EnergyTerm {
   PairStage pairs_;
   using Entry = std::array<std::uint32_t, 2>;      // shaders/sim/contact/entry.glsl
   std::vector<std::vector<Entry>> point_entries_;  // [vertex]
-  double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
-  double let_in_ = 0;                                      // [m] how deep inside tools bodies are taken
+  double half_thickness_ = 0, margin_ = 0;         // [m]; margin: added to the reach of every piece
+  double let_in_ = 0;                              // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
   FreeGroups groups_;                                 // where tissue touches tissue
   std::uint32_t most_entries_ = 0;                    // of a vertex, two points each

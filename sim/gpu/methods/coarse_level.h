@@ -71,7 +71,7 @@ class CoarseLevel {
   PointFunctions point_functions_;
   TouchedNodes contact_;
   Eigen::MatrixXf contact_stiffness_;
-  NodeCompliance compliance_;  // of its nodes; empty after upload()
+  NodeCompliance compliance_;                 // of its nodes; empty after upload()
   std::vector<shared::vec4> node_rotations_;  // of the GPU, for set_contact()
   bool keeps_contact_ = false;
   std::vector<VertexStiffness> springs_;

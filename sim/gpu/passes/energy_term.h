@@ -62,8 +62,7 @@ class EnergyTerm {
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }
   virtual std::uint32_t curvature_partials(const gl::ProgramCache&) const { return 0; }
   /// Of a term with blocks: a pass over the vertices on which it acts in a stage.
-  virtual Passes over_touched(gl::ProgramCache&, const char* /*kernel*/, gl::Defines,
-                              gl::ComputePass::Bindings) const {
+  virtual Passes over_touched(gl::ProgramCache&, const char* /*kernel*/, gl::Defines, gl::ComputePass::Bindings) const {
     return {};
   }
 };
