@@ -1,9 +1,9 @@
 #include "sim/coarse/coarse_contact.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace fascia {
 namespace {
@@ -13,39 +13,27 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3f;
 using Eigen::MatrixXf;
 
-/// The coarse functions at points.
-class PointFunctions {
- public:
-  PointFunctions(const CoarseSpace& space, const std::vector<PointStiffness>& points) {
-    for (const PointStiffness& point : points) add(space, point);
+// The inverse of a symmetric positive definite matrix, or nothing. By columns of the inverse factor from their first
+// entries on, some at a time.
+MatrixXf inverse_of(const MatrixXf& matrix) {
+  constexpr Index kColumns = 48;
+  const Index size = matrix.rows();
+  const Eigen::LLT<MatrixXf> factor(matrix);
+  if (factor.info() != Eigen::Success) return {};
+  MatrixXf lower = MatrixXf::Identity(size, size), inverse = MatrixXf::Zero(size, size);
+  for (Index k = 0; k < size; k += kColumns) {
+    const Index rest = size - k, count = std::min(kColumns, rest);
+    auto columns = lower.block(k, k, rest, count);
+    factor.matrixLLT().bottomRightCorner(rest, rest).triangularView<Eigen::Lower>().solveInPlace(columns);
   }
-  /// Nodes, ascending, and weights.
-  std::span<const std::pair<std::uint32_t, double>> at(std::size_t point) const {
-    return std::span(functions_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+  for (Index k = 0; k < size; k += kColumns) {
+    const Index count = std::min(kColumns, size - k), end = k + count;
+    inverse.topLeftCorner(end, end).selfadjointView<Eigen::Lower>().rankUpdate(
+        lower.block(k, 0, count, end).transpose());
   }
-
- private:
-  void add(const CoarseSpace& space, const PointStiffness& point) {
-    const auto begin = static_cast<std::ptrdiff_t>(functions_.size());
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (point.weights[k] == 0) continue;
-      for (std::uint32_t e = space.begin[point.vertices[k]]; e < space.begin[point.vertices[k] + 1]; ++e) {
-        const double weight = point.weights[k] * space.weight[e];
-        const auto same = std::find_if(functions_.begin() + begin, functions_.end(),
-                                       [&](const auto& function) { return function.first == space.node[e]; });
-        if (same == functions_.end())
-          functions_.emplace_back(space.node[e], weight);
-        else
-          same->second += weight;
-      }
-    }
-    std::sort(functions_.begin() + begin, functions_.end());
-    begin_.push_back(functions_.size());
-  }
-
-  std::vector<std::pair<std::uint32_t, double>> functions_;
-  std::vector<std::size_t> begin_{0};
-};
+  inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
+  return inverse;
+}
 
 /// The nodes that feel most of the stiffness, ascending.
 std::vector<std::uint32_t> stiffest_nodes(const std::vector<Matrix3d>& blocks) {
@@ -62,12 +50,37 @@ std::vector<std::uint32_t> stiffest_nodes(const std::vector<Matrix3d>& blocks) {
 
 }  // namespace
 
-TouchedNodes touched_nodes(const CoarseSpace& space, const std::vector<PointStiffness>& points,
-                           const std::vector<Eigen::Quaternionf>& rotations, double h) {
-  const PointFunctions functions(space, points);
+std::span<const PointFunctions::Function> PointFunctions::at(const CoarseSpace& space, const PointStiffness& point) {
+  const bool keep = point.number != PointStiffness::kUnnumbered;
+  if (keep && point.number < parts_.size() && parts_[point.number].count > 0)
+    return std::span(kept_).subspan(parts_[point.number].begin, parts_[point.number].count);
+  last_.clear();
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (point.weights[k] == 0) continue;
+    for (std::uint32_t e = space.begin[point.vertices[k]]; e < space.begin[point.vertices[k] + 1]; ++e) {
+      const double weight = point.weights[k] * space.weight[e];
+      const auto same = std::find_if(last_.begin(), last_.end(),
+                                     [&](const Function& function) { return function.first == space.node[e]; });
+      if (same == last_.end())
+        last_.emplace_back(space.node[e], weight);
+      else
+        same->second += weight;
+    }
+  }
+  std::sort(last_.begin(), last_.end());
+  if (!keep) return last_;
+  if (point.number >= parts_.size()) parts_.resize(point.number + std::size_t{1});
+  parts_[point.number] = {kept_.size(), last_.size()};
+  kept_.insert(kept_.end(), last_.begin(), last_.end());
+  return std::span(kept_).last(last_.size());
+}
+
+TouchedNodes touched_nodes(const CoarseSpace& space, PointFunctions& functions,
+                           const std::vector<PointStiffness>& points, const std::vector<Eigen::Quaternionf>& rotations,
+                           double h) {
   std::vector<Matrix3d> blocks(space.node_count, Matrix3d::Zero());
-  for (std::size_t p = 0; p < points.size(); ++p)
-    for (const auto& [node, weight] : functions.at(p)) blocks[node] += weight * weight * points[p].stiffness;
+  for (const PointStiffness& point : points)
+    for (const auto& [node, weight] : functions.at(space, point)) blocks[node] += weight * weight * point.stiffness;
   TouchedNodes touched{stiffest_nodes(blocks), {}};
   touched.stiffness.resize(3 * static_cast<Index>(touched.nodes.size()));
   for (Index k = 0; k < touched.stiffness.size() / 3; ++k) {
@@ -78,7 +91,7 @@ TouchedNodes touched_nodes(const CoarseSpace& space, const std::vector<PointStif
   return touched;
 }
 
-MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const CoarseSpace& space,
+MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const CoarseSpace& space, PointFunctions& functions,
                            const std::vector<PointStiffness>& points, const std::vector<Eigen::Quaternionf>& rotations,
                            double h) {
   constexpr Index kNowhere = -1;
@@ -88,14 +101,14 @@ MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const Coarse
   // Blocks on and above the diagonal, first in the axes of the world
   const Index size = 3 * static_cast<Index>(nodes.size());
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(size, size);
-  const PointFunctions functions(space, points);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const Matrix3d at_point = h * h * points[p].stiffness;
-    for (const auto& [right, weight] : functions.at(p)) {
+  for (const PointStiffness& point : points) {
+    const Matrix3d at_point = h * h * point.stiffness;
+    const std::span<const PointFunctions::Function> at = functions.at(space, point);
+    for (const auto& [right, weight] : at) {
       const Index column = place[right];
       if (column == kNowhere) continue;
       const Matrix3d weighted = weight * at_point;
-      for (const auto& [left, other] : functions.at(p)) {
+      for (const auto& [left, other] : at) {
         if (left > right) break;
         if (const Index row = place[left]; row != kNowhere) sums.block<3, 3>(3 * row, 3 * column) += other * weighted;
       }
@@ -114,15 +127,32 @@ MatrixXf stiffness_between(const std::vector<std::uint32_t>& nodes, const Coarse
   return stiffness;
 }
 
-MatrixXf push_back(const std::vector<std::uint32_t>& nodes, const MatrixXf& stiffness,
-                   const std::function<float(Index, Index)>& inverse) {
+NodeCompliance compliance_of(const std::vector<std::uint32_t>& nodes,
+                             const std::function<float(Index, Index)>& inverse) {
+  const Index size = 3 * static_cast<Index>(nodes.size());
+  NodeCompliance result{nodes, MatrixXf(size, size), {}};
+  for (Index k = 0; k < size; ++k)
+    for (Index i = 0; i < size; ++i)
+      result.matrix(i, k) = inverse(3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3,
+                                    3 * nodes[static_cast<std::size_t>(k / 3)] + k % 3);
+  result.inverse = inverse_of(result.matrix);
+  return result;
+}
+
+MatrixXf push_back(const MatrixXf& stiffness, const NodeCompliance& compliance) {
   const Index size = stiffness.rows();
-  MatrixXf compliance(size, size);
-  for (Index i = 0; i < size; ++i)
-    for (Index k = 0; k < size; ++k)
-      compliance(i, k) = inverse(3 * nodes[static_cast<std::size_t>(i / 3)] + i % 3,
-                                 3 * nodes[static_cast<std::size_t>(k / 3)] + k % 3);
-  const MatrixXf both = MatrixXf::Identity(size, size) + stiffness * compliance;
+  if (compliance.inverse.rows() == size) {
+    MatrixXf sum = compliance.inverse + stiffness;
+    const Eigen::LLT<Eigen::Ref<MatrixXf>> factor(sum);
+    if (factor.info() == Eigen::Success) {
+      MatrixXf part = compliance.inverse, result = compliance.inverse;
+      factor.matrixL().solveInPlace(part);
+      result.selfadjointView<Eigen::Lower>().rankUpdate(part.transpose(), -1);
+      result.triangularView<Eigen::StrictlyUpper>() = result.transpose();
+      return result;
+    }
+  }
+  const MatrixXf both = MatrixXf::Identity(size, size) + stiffness * compliance.matrix;
   return both.partialPivLu().solve(stiffness);
 }
 

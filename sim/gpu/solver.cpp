@@ -37,7 +37,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       features_(features_of(model)),
       buffers_(model_, std::move(placement)),
       motions_(model_),
-      contact_(given_, buffers_),
+      contact_(given_, buffers_, programs.load_path()),
       diagnostics_(buffers_),
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {

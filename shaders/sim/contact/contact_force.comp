@@ -15,6 +15,7 @@ INPUT_UINT(ContactNear, contact_near)      // [points]
 OUTPUT(vec4, ContactForce, contact_force)  // [points] xyz on the tissue [N], w energy [J]
 OUTPUT(vec4, ContactBlock, contact_block)  // [2 * points] xyz of xx, yy, zz then of yz, xz, xy [N/m]
 
+// A loop that tests its condition last: llvmpipe runs the body of others once more.
 void main() {
   ITEM_OR_RETURN(i)
   uvec4 vertices = FETCH(contact_vertices, i);
@@ -28,12 +29,16 @@ void main() {
     add_stiffness(block, r, r.normal);
   } else
 #endif
-  for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
+  {
+    uint near = FETCH1(contact_near, i);  // not 0: the point is listed
     vec4 rest = FETCH(contact_rest, i);
-    uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = row_at(piece, row, rest, u, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
-    force += vec4(force_of(r), energy_of(r));
-    add_stiffness(block, r, FETCH(contact_normal, row).xyz);
+    do {
+      uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
+      Row r = row_at(piece, row, rest, u, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
+      force += vec4(force_of(r), energy_of(r));
+      add_stiffness(block, r, FETCH(contact_normal, row).xyz);
+      near &= near - 1u;
+    } while (near != 0u);
   }
   contact_force[i] = force;
   contact_block[2u * i] = vec4(block.d, 0.0);

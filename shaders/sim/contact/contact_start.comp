@@ -47,7 +47,8 @@ void main() {
   if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u]))
     way = way_of_carried(contact_bodies[force + 3u], contact_bodies[force + 4u], contact_bodies[force + 5u], contact_bodies[force + 6u]);
   uint near = 0u;
-  for (uint piece = 0u; piece < pieces; ++piece) {
+  uint piece = 0u;
+  do {  // llvmpipe runs the body of other loops once more
     if (i >= points_of(piece)) continue;
     uint row = first_row_of(piece) + i;
     vec3 local = to_local(pose_at_start(piece), x);
@@ -85,7 +86,7 @@ void main() {
     d.xyz = normalize(d.xyz);
 #endif
     contact_normal_now[row] = plane.w == NO_PLANE ? vec4(end.axes * d.xyz, NO_PLANE) : plane;
-  }
+  } while (++piece < pieces);
   contact_near[i] = near;
   contact_force[i] = vec4(0.0);
   contact_block[2u * i] = vec4(0.0);

@@ -1,7 +1,7 @@
 // Inverse of the blocks of block_inverse.comp with the stiffness of contact as the last forces had it, or the ones before
 // where these were stiffer. A point that begins to press, or whose friction begins to hold, is many times stiffer than
 // its tissue; one that lets go in an iteration often presses again in the next. With FIRST, after block_inverse.comp, of
-// all vertices; else, before iterations, of those around points that may touch something.
+// all vertices; else, before iterations, of those around points that may touch something, a list (DEFERRED).
 #include "common/io.glsl"
 COMPUTE_1D
 #include "common/step.glsl"
@@ -22,7 +22,6 @@ void main() {
   Sym3 pressed = Sym3(vec3(0.0), vec3(0.0));
   ADD_EXTERNAL_BLOCK(pressed, i, SUBSTEP * SUBSTEP)
 #if !FIRST
-  if (FETCH1(contact_begin, i) == FETCH1(contact_end, i)) return;
   Sym3 before = Sym3(block_pressed[2u * i].xyz, block_pressed[2u * i + 1u].xyz);
 #endif
   STORE3(block_pressed[2u * i], pressed.d)

@@ -16,14 +16,19 @@ std::optional<std::string> ContactTerm::define(TermUse use) const {
 }
 
 void ContactTerm::bind(TermUse use, gl::ComputePass::Bindings& bindings) const {
-  bindings.insert(bindings.end(), {{"contact_begin", &begin_},
-                                   {"contact_end", &end_},
-                                   {"contact_entries", &entries_},
-                                   {"contact_weights", &weights_}});
+  if (sums_) {
+    bindings.emplace_back("contact_sums", &sums_);
+    return;
+  }
+  bind_entries(bindings);
   if (use == TermUse::gradient)
     bindings.emplace_back("contact_force", &forces_);
   else
     bindings.emplace_back("contact_block", &blocks_);
+}
+
+void ContactTerm::bind_entries(gl::ComputePass::Bindings& bindings) const {
+  bindings.insert(bindings.end(), {{"contact_begin", &begin_}, {"contact_end", &end_}, {"contact_entries", &entries_}});
 }
 
 gl::Defines ContactTerm::defines() const {
@@ -82,6 +87,17 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
   return pass;
 }
 
+EnergyTerm::Passes ContactTerm::over_touched(gl::ProgramCache& programs, const char* kernel, gl::Defines defines,
+                                             gl::ComputePass::Bindings bindings) const {
+  defines.emplace_back("DEFERRED", "1");
+  bindings.emplace_back("deferred_items", &list_);
+  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers_.vertex_count,
+                       {{"deferred_list", touched_list()}, {"deferred_begin", touched_list() + 4}});
+  pass.loops(2 * most_entries_ + 2);
+  pass.set_indirect(list_, touched_list());
+  return {std::move(pass)};
+}
+
 EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   Passes passes;
   if (!surface_.empty()) {
@@ -115,16 +131,20 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
       .emplace_back(
           programs.compute("sim/contact/contact_list.comp", stretched),
           gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
-          stretches(), gl::ComputePass::Constants{{"points", point_count()}, {"stretches", stretches()}})
+          stretches(),
+          gl::ComputePass::Constants{
+              {"points", point_count()}, {"stretches", stretches()}, {"touched_list", touched_list()}})
       .loops(stretches() + kStretch + 1);
+  gl::ComputePass::Bindings touched{{"contact_begin", &begin_},
+                                    {"contact_entries", &entries_},
+                                    {"contact_near", &near_},
+                                    {"contact_end", &end_},
+                                    {"contact_list", &list_}};
+  if (sums_) touched.emplace_back("contact_sums", &sums_);
   passes
-      .emplace_back(programs.compute("sim/contact/contact_touched.comp"),
-                    gl::ComputePass::Bindings{{"contact_begin", &begin_},
-                                              {"contact_entries", &entries_},
-                                              {"contact_near", &near_},
-                                              {"contact_end", &end_}},
-                    buffers.vertex_count)
-      .loops(most_entries_ + 1);
+      .emplace_back(programs.compute("sim/contact/contact_touched.comp"), std::move(touched), buffers.vertex_count,
+                    gl::ComputePass::Constants{{"touched_list", touched_list()}})
+      .loops(most_entries_ + 5);
   return passes;
 }
 
@@ -140,12 +160,18 @@ EnergyTerm::Passes ContactTerm::advance(const Recording& r, const gl::Buffer& st
 }
 
 EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  return {over_near(programs, "sim/contact/contact_force.comp",
-                    {{"displacement", &buffers.displacement},
-                     {"contact_memory", &buffers.contact_memory},
-                     {"contact_anchor", &rows_},
-                     {"contact_force", &forces_},
-                     {"contact_block", &blocks_}})};
+  Passes passes{over_near(programs, "sim/contact/contact_force.comp",
+                          {{"displacement", &buffers.displacement},
+                           {"contact_memory", &buffers.contact_memory},
+                           {"contact_anchor", &rows_},
+                           {"contact_force", &forces_},
+                           {"contact_block", &blocks_}})};
+  if (!sums_) return passes;
+  gl::ComputePass::Bindings bindings{
+      {"step", &buffers.step}, {"contact_force", &forces_}, {"contact_block", &blocks_}, {"contact_sums", &sums_}};
+  bind_entries(bindings);
+  append(passes, over_touched(programs, "sim/contact/contact_gather.comp", {}, std::move(bindings)));
+  return passes;
 }
 
 EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers) const {
@@ -194,25 +220,21 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
   if (at.coarse_direction) bindings.emplace_back("coarse_direction", at.coarse_direction);
   Passes passes;
   passes
-      .emplace_back(
-          programs.compute("sim/contact/contact_curvature.comp", {{"SPLIT", at.coarse_direction ? "1" : "0"}}),
-          std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
+      .emplace_back(programs.compute("sim/contact/contact_curvature.comp", {{"SPLIT", at.coarse_direction ? "1" : "0"},
+                                                                            {"PAIRS", pairs_.empty() ? "0" : "1"}}),
+                    std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
       .loops(most / sum.lanes + 2);
   return passes;
 }
 
 EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   Passes passes;
-  passes.emplace_back(programs.compute("sim/contact/contact_impulse.comp"),
-                      gl::ComputePass::Bindings{{"step", &buffers.step},
-                                                {"contact_begin", &begin_},
-                                                {"contact_end", &end_},
-                                                {"contact_entries", &entries_},
-                                                {"contact_weights", &weights_},
-                                                {"contact_force", &forces_},
-                                                {"slot_begin", &buffers.slot_begin},
-                                                {"correction", &buffers.correction}},
-                      buffers.vertex_count);
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"contact_force", &forces_},
+                                     {"slot_begin", &buffers.slot_begin},
+                                     {"correction", &buffers.correction}};
+  bind_entries(bindings);
+  passes.emplace_back(programs.compute("sim/contact/contact_impulse.comp"), std::move(bindings), buffers.vertex_count);
   if (surface_.empty()) return passes;
   gl::Defines defines_of_load = defines_of_shapes({});
   defines_of_load.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));

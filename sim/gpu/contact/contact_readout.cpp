@@ -23,6 +23,7 @@ std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
   const std::size_t most = places_.size();
   const std::uint32_t count = read_list_[3];
   if (count > most) return result;  // a device that fails
+  result.reserve(count);
   for (const std::uint32_t p : std::span(read_list_).subspan(4, count)) {
     if (p >= most) return {};  // a device that fails
     const vec4 &d = read_blocks_[2 * p], &s = read_blocks_[2 * p + 1];
@@ -34,7 +35,7 @@ std::vector<PointStiffness> ContactTerm::stiffness_at_points() const {
       weights = pairs_.rows()[p - point_count()].weights;
     else
       std::copy_n(surface_.points[p].weights.begin(), 3, weights.begin());
-    result.push_back({places_[p], weights, stiffness});
+    result.push_back({places_[p], weights, stiffness, p < point_count() ? p : PointStiffness::kUnnumbered});
   }
   return result;
 }
@@ -93,8 +94,8 @@ void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
       areas[buffers_.placement.place[v]] = static_cast<float>(of_vertices[v]);
     areas_ = gl::Buffer("contact_area", areas);
   }
-  bind(TermUse::gradient, bindings);
-  bindings.emplace_back("contact_area", &areas_);
+  bind_entries(bindings);
+  bindings.insert(bindings.end(), {{"contact_force", &forces_}, {"contact_area", &areas_}});
 }
 
 std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {

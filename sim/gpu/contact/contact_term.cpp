@@ -1,6 +1,7 @@
 #include "sim/gpu/contact/contact_term.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -20,6 +21,7 @@ using shared::vec4;
 
 // A bound for the loops of kernels. More pairs would need as many faces that press on one vertex.
 constexpr std::uint32_t kMostPairsOfVertex = 1024;
+constexpr std::uint32_t kFirstCorner = 0x80000000;  // shaders/sim/contact/entry.glsl
 // How deep inside tools bodies are taken: enough for what touches to press, and for its stiffness to be known.
 constexpr double kLetIn = 1e-4;  // of the size
 
@@ -39,8 +41,13 @@ double farthest_way(const ToolShape& shape, const RigidPose& from, const RigidPo
   return turn > 0 ? way + turn * radius : way;  // a plane that turns reaches everywhere
 }
 
+// shaders/sim/contact/entry.glsl
+std::array<std::uint32_t, 2> entry_of(std::uint32_t point, std::uint32_t corner, float weight) {
+  return {point | (corner == 0 ? kFirstCorner : 0), std::bit_cast<std::uint32_t>(weight)};
+}
+
 // The weights as the GPU has them: their sum is 0 there, too, so that forces stay equal and opposite.
-vec4 weights_of(const PairRow& pair) {
+std::array<float, 4> weights_of(const PairRow& pair) {
   std::array<float, 4> w;
   for (std::size_t k = 0; k < 4; ++k) w[k] = static_cast<float>(pair.weights[k]);
   std::size_t least = 0;
@@ -48,12 +55,12 @@ vec4 weights_of(const PairRow& pair) {
     if (std::abs(w[k]) < std::abs(w[least])) least = k;
   w[least] = 0;
   w[least] = -(w[0] + w[1] + w[2] + w[3]);
-  return {w[0], w[1], w[2], w[3]};
+  return w;
 }
 
 }  // namespace
 
-ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
+ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath loads)
     : model_(model),
       buffers_(buffers),
       tools_(model.tools),
@@ -71,22 +78,22 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   const std::size_t all = point_count() + pairs_.slot_count(), rows = std::max(surface_.row_count, 1u);
   std::vector<Tet> vertices(all);
   point_entries_.resize(buffers.vertex_count);
-  std::size_t entries = 0;
   for (std::uint32_t p = 0; p < point_count(); ++p) {
     const ContactPoint& point = surface_.points[p];
     for (std::uint32_t k = 0; k < 3; ++k) {
       vertices[p][k] = buffers.placement.place[point.vertices[k]];
       if (point.weights[k] == 0) continue;
-      point_entries_[vertices[p][k]].push_back(4 * p + k);
-      ++entries;
+      point_entries_[vertices[p][k]].push_back(entry_of(p, k, static_cast<float>(point.weights[k])));
     }
     vertices[p][3] = vertices[p][0];
     places_.push_back(vertices[p]);
   }
-  for (const std::vector<std::uint32_t>& list : point_entries_)
-    most_entries_ = std::max(most_entries_, static_cast<std::uint32_t>(list.size()));
-  if (!pairs_.empty()) most_entries_ += kMostPairsOfVertex;
-  std::vector<std::uint32_t> near(all, 1), none(4 + all);
+  for (const std::vector<Entry>& list : point_entries_)
+    most_entries_ = std::max(most_entries_, static_cast<std::uint32_t>((list.size() + 1) / 2));
+  if (!pairs_.empty()) most_entries_ += kMostPairsOfVertex / 2 + 1;
+  std::size_t entries = 4 * pairs_.slot_count();
+  for (const std::vector<Entry>& list : point_entries_) entries += (list.size() + 1) / 2;
+  std::vector<std::uint32_t> near(all, 1), none(8 + all + buffers.vertex_count);
   std::fill_n(near.begin(), point_count(), 0u);
   none[1] = none[2] = 1;
   vertices_ = gl::Buffer("contact_vertices", vertices);
@@ -94,7 +101,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   rest_ = gl::Buffer("contact_rest", std::vector<vec4>(std::max(point_count(), 1u)));
   begin_ = gl::Buffer("contact_begin", std::vector<std::uint32_t>(buffers.vertex_count + std::size_t{1}));
   end_ = gl::Buffer("contact_end", std::vector<std::uint32_t>(buffers.vertex_count));
-  entries_ = gl::Buffer("contact_entries", std::vector<std::uint32_t>(entries + 4 * pairs_.slot_count()));
+  entries_ = gl::Buffer("contact_entries", 2 * sizeof(Entry) * entries);
   pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * std::max<std::size_t>(surface_.pieces.size(), 1));
   near_ = gl::Buffer("contact_near", near);
   counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(stretches() + 1));
@@ -103,6 +110,8 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers)
   normals_ = gl::Buffer("contact_normal", std::vector<vec4>(rows));
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
+  if (loads == gl::LoadPath::texel)
+    sums_ = gl::Buffer("contact_sums", std::vector<vec4>(3 * std::size_t{buffers.vertex_count}));
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
@@ -218,7 +227,8 @@ void ContactTerm::upload_pairs() {
     Tet& placed = vertices.emplace_back();
     for (std::size_t k = 0; k < 4; ++k) placed[k] = buffers_.placement.place[pair.vertices[k]];
     places_.push_back(placed);
-    weights.push_back(weights_of(pair));
+    const std::array<float, 4> w = weights_of(pair);
+    weights.push_back({w[0], w[1], w[2], w[3]});
     constants.push_back(row_of(pair.normal, pair.gap));
     constants.push_back(row_of(pair.start, pair.stiffness));
     constants.push_back(
@@ -233,19 +243,22 @@ void ContactTerm::upload_pairs() {
 }
 
 void ContactTerm::upload_entries() {
-  std::vector<std::vector<std::uint32_t>> of_pairs(pairs_.rows().empty() ? 0 : point_entries_.size());
+  std::vector<std::vector<Entry>> of_pairs(pairs_.rows().empty() ? 0 : point_entries_.size());
   for (std::uint32_t k = 0; k < pairs_.rows().size(); ++k)
     for (std::uint32_t corner = 0; corner < 4; ++corner)
       if (pairs_.rows()[k].weights[corner] != 0)
-        of_pairs[places_[point_count() + k][corner]].push_back(4 * (point_count() + k) + corner);
-  std::vector<std::uint32_t> begin{0}, entries;
+        of_pairs[places_[point_count() + k][corner]].push_back(
+            entry_of(point_count() + k, corner, weights_of(pairs_.rows()[k])[corner]));
+  std::vector<std::uint32_t> begin{0};
+  std::vector<Entry> entries;
   for (std::size_t v = 0; v < point_entries_.size(); ++v) {
     entries.insert(entries.end(), point_entries_[v].begin(), point_entries_[v].end());
     if (!of_pairs.empty()) entries.insert(entries.end(), of_pairs[v].begin(), of_pairs[v].end());
-    begin.push_back(static_cast<std::uint32_t>(entries.size()));
+    if (entries.size() % 2 != 0) entries.push_back({entries.back()[0] & ~kFirstCorner, 0});
+    begin.push_back(static_cast<std::uint32_t>(entries.size() / 2));
   }
   begin_.upload(0, begin.size() * sizeof(std::uint32_t), begin.data());
-  entries_.upload(0, entries.size() * sizeof(std::uint32_t), entries.data());
+  entries_.upload(0, entries.size() * sizeof(Entry), entries.data());
 }
 
 }  // namespace fascia

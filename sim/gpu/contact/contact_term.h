@@ -24,7 +24,7 @@ class ContactTerm : public EnergyTerm {
   /// `model`: in its own order, outlives this as `buffers` do, which hold its vertices in theirs, and get their
   /// contact_memory here. The model's materials may change. Throws Error for more than
   /// ContactSurface::kMostPieces pieces.
-  ContactTerm(const Model& model, SimBuffers& buffers);
+  ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath loads);
 
   void materials_changed(const Model& model);
   /// The poses of a stage of `duration` that ends at `time` [s], and the pairs of the tissue, on which `springs` act,
@@ -50,6 +50,8 @@ class ContactTerm : public EnergyTerm {
   Passes evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes finish(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
+  Passes over_touched(gl::ProgramCache& programs, const char* kernel, gl::Defines defines,
+                      gl::ComputePass::Bindings bindings) const override;
   std::uint32_t curvature_partials(const gl::ProgramCache& programs) const override;
 
   /// What stiffness_at_points() needs of the GPU, read before each call.
@@ -95,21 +97,25 @@ class ContactTerm : public EnergyTerm {
   void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  void bind_entries(gl::ComputePass::Bindings& bindings) const;  // shaders/sim/contact/entry.glsl
   std::uint32_t loops_of_point() const;
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(surface_.points.size()); }
   std::uint32_t stretches() const;  // of points, each of which one invocation lists; one at least
+  // Where in list_ the vertices follow the points and pairs
+  std::uint32_t touched_list() const { return 4 + point_count() + pairs_.slot_count(); }
 
   const Model& model_;
   const SimBuffers& buffers_;
   std::vector<Tool> tools_;
   ContactSurface surface_;
   PairStage pairs_;
-  std::vector<std::vector<std::uint32_t>> point_entries_;  // [vertex] 4 * point + corner
-  double half_thickness_ = 0, margin_ = 0;                 // [m]; margin: added to the reach of every piece
-  double let_in_ = 0;                                      // [m] how deep inside tools bodies are taken
+  using Entry = std::array<std::uint32_t, 2>;      // shaders/sim/contact/entry.glsl
+  std::vector<std::vector<Entry>> point_entries_;  // [vertex]
+  double half_thickness_ = 0, margin_ = 0;         // [m]; margin: added to the reach of every piece
+  double let_in_ = 0;                              // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
   FreeGroups groups_;                                 // where tissue touches tissue
-  std::uint32_t most_entries_ = 0;                    // of a vertex
+  std::uint32_t most_entries_ = 0;                    // of a vertex, two points each
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
@@ -117,6 +123,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
+  gl::Buffer sums_;                        // of contact_gather.comp; absent on GPUs
   gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<shared::vec4> uploaded_;     // of pieces_
   std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()

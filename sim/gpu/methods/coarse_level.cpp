@@ -151,6 +151,7 @@ void CoarseLevel::upload() {
   if (!contact_matrix_) return;
   quantized_ = std::move(rows);
   scales_ = scale;
+  compliance_ = {};
   if (!contact_.nodes.empty()) upload_contact();
 }
 
@@ -165,21 +166,23 @@ void CoarseLevel::set_contact(const std::vector<PointStiffness>& points) {
   std::vector<Eigen::Quaternionf> rotations;
   if (!points.empty())
     for (const vec4& q : node_rotations_) rotations.emplace_back(q.w, q.x, q.y, q.z);
-  TouchedNodes now = touched_nodes(space_, points, rotations, h_);
+  TouchedNodes now = touched_nodes(space_, point_functions_, points, rotations, h_);
   const auto compliance = [&](Eigen::Index i) { return kOne * scales_[i] * scales_[i]; };
   if (keeps_contact_ && alike(now, contact_, compliance)) return;
   keeps_contact_ = true;
   contact_ = std::move(now);
-  contact_stiffness_ = stiffness_between(contact_.nodes, space_, points, rotations, h_);
+  contact_stiffness_ = stiffness_between(contact_.nodes, space_, point_functions_, points, rotations, h_);
   upload_contact();
 }
 
 void CoarseLevel::upload_contact() {
   const std::size_t row_length = std::size_t{8} * row_octets_;
-  const Eigen::MatrixXf push = push_back(contact_.nodes, contact_stiffness_, [&](Eigen::Index i, Eigen::Index k) {
-    return scales_[i] * scales_[k] *
-           static_cast<float>(quantized_[static_cast<std::size_t>(i) * row_length + static_cast<std::size_t>(k)]);
-  });
+  if (compliance_.nodes != contact_.nodes)
+    compliance_ = compliance_of(contact_.nodes, [&](Eigen::Index i, Eigen::Index k) {
+      return scales_[i] * scales_[k] *
+             static_cast<float>(quantized_[static_cast<std::size_t>(i) * row_length + static_cast<std::size_t>(k)]);
+    });
+  const Eigen::MatrixXf push = push_back(contact_stiffness_, compliance_);
   std::vector<std::uint32_t> touched{static_cast<std::uint32_t>(contact_.nodes.size())};
   touched.insert(touched.end(), contact_.nodes.begin(), contact_.nodes.end());
   std::vector<vec4> columns;

@@ -68,8 +68,10 @@ class CoarseLevel {
   Eigen::MatrixXf free_inverse_;                // without springs; empty before the first upload
   std::vector<std::int16_t> quantized_;         // inverse_rows_
   Eigen::VectorXf scales_;                      // of its rows
+  PointFunctions point_functions_;
   TouchedNodes contact_;
   Eigen::MatrixXf contact_stiffness_;
+  NodeCompliance compliance_;                 // of its nodes; empty after upload()
   std::vector<shared::vec4> node_rotations_;  // of the GPU, for set_contact()
   bool keeps_contact_ = false;
   std::vector<VertexStiffness> springs_;

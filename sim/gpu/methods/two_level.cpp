@@ -122,31 +122,33 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
       r.over_vertices("sim/two_level/block_inverse.comp", std::move(defines), std::move(bindings),
                       vertex_quadratic_ ? constants_of_quadratic(r.buffers) : gl::ComputePass::Constants{}));
   passes.back().loops(r.loops_of_vertex());
-  if (contact) passes.push_back(blocks_in_contact(r, true));
+  if (contact) append(passes, blocks_in_contact(r, true));
   return passes;
 }
 
-gl::ComputePass TwoLevelMethod::blocks_in_contact(const Recording& r, bool first) const {
+Passes TwoLevelMethod::blocks_in_contact(const Recording& r, bool first) const {
   gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
                                      {"block_free", &block_free_},
                                      {"block_pressed", &block_pressed_},
                                      {"block_inverse", &block_inverse_}};
   EnergyTerms with_blocks;
   std::copy_if(r.terms.begin(), r.terms.end(), std::back_inserter(with_blocks),
-               [](const EnergyTerm* term) { return term->has_blocks(); });
+               [](const EnergyTerm* term) { return term->acts() && term->has_blocks(); });
   gl::Defines defines = with_energy_terms({{"FIRST", first ? "1" : "0"}}, bindings, with_blocks, TermUse::block);
-  gl::ComputePass pass = r.over_vertices("sim/two_level/block_contact.comp", std::move(defines), std::move(bindings));
+  constexpr const char* kKernel = "sim/two_level/block_contact.comp";
+  if (!first) return with_blocks.front()->over_touched(r.programs, kKernel, std::move(defines), std::move(bindings));
+  gl::ComputePass pass = r.over_vertices(kKernel, std::move(defines), std::move(bindings));
   pass.loops(r.loops_of_vertex());
-  return pass;
+  return {std::move(pass)};
 }
 
 Passes TwoLevelMethod::before(const Recording& r, bool first) const {
-  return gradient_.passes(r, first ? std::nullopt : pending(r));
+  return gradient_.passes(r, first ? std::nullopt : pending(r), first);  // begin() has evaluated the terms last
 }
 
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
-  if (!first && r.has_blocks()) passes.push_back(blocks_in_contact(r, false));
+  if (!first && r.has_blocks()) append(passes, blocks_in_contact(r, false));
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::Defines defines{
       {"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};

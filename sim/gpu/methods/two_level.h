@@ -59,7 +59,7 @@ class TwoLevelMethod : public StepMethod {
   static bool gradient_moves(const Recording& recording);
   std::optional<PendingStep> pending(const Recording& recording) const;
   gl::ComputePass update(const Recording& recording, bool last) const;
-  gl::ComputePass blocks_in_contact(const Recording& recording, bool first) const;
+  Passes blocks_in_contact(const Recording& recording, bool first) const;
   gl::ComputePass objective_sum(const Recording& recording, bool final) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;

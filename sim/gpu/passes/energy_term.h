@@ -61,6 +61,10 @@ class EnergyTerm {
   virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }    // of a stage
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }
   virtual std::uint32_t curvature_partials(const gl::ProgramCache&) const { return 0; }
+  /// Of a term with blocks: a pass over the vertices on which it acts in a stage.
+  virtual Passes over_touched(gl::ProgramCache&, const char* /*kernel*/, gl::Defines, gl::ComputePass::Bindings) const {
+    return {};
+  }
 };
 
 using EnergyTerms = std::vector<const EnergyTerm*>;

@@ -31,8 +31,9 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
   for (std::uint32_t j = 0; j < space.node_count; ++j)
     rotations.emplace_back(Eigen::Quaterniond(random.rotation()).cast<float>());
 
-  const TouchedNodes contact = touched_nodes(space, points, rotations, kStep);
-  const MatrixXf stiffness = stiffness_between(contact.nodes, space, points, rotations, kStep);
+  PointFunctions functions;
+  const TouchedNodes contact = touched_nodes(space, functions, points, rotations, kStep);
+  const MatrixXf stiffness = stiffness_between(contact.nodes, space, functions, points, rotations, kStep);
   const auto nodes = static_cast<Eigen::Index>(contact.nodes.size());
   REQUIRE(nodes > 0);
   REQUIRE(nodes < static_cast<Eigen::Index>(space.node_count));
@@ -45,12 +46,20 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
 
   const Eigen::VectorXf right = random.vector(matrix.rows()).cast<float>(), exact = whole.lu().solve(right);
   const Eigen::VectorXf free = inverse * right;
-  const MatrixXf push =
-      push_back(contact.nodes, stiffness, [&](Eigen::Index i, Eigen::Index k) { return inverse(i, k); });
+  NodeCompliance compliance =
+      compliance_of(contact.nodes, [&](Eigen::Index i, Eigen::Index k) { return inverse(i, k); });
+  REQUIRE(compliance.inverse.rows() == 3 * nodes);
+  const MatrixXf push = push_back(stiffness, compliance);
   const Eigen::VectorXf found = free - inverse * (spread * (push * (spread.transpose() * free)));
   CAPTURE(nodes, exact.norm(), free.norm(), (found - exact).norm());
   CHECK((free - exact).norm() > 0.1 * exact.norm());
   CHECK((found - exact).norm() < 2e-3 * exact.norm());  // of float32, with a condition of some thousands
+
+  // Without the inverse, as where rounding leaves the compliance indefinite, the same to a share of what C holds.
+  compliance.inverse = {};
+  const MatrixXf otherwise = push_back(stiffness, compliance);
+  CAPTURE((push - otherwise).norm(), push.norm());
+  CHECK((push - otherwise).norm() < 1e-3f * push.norm());
 
   // The same energy as that of the points themselves, for motions of the coarse space.
   const Eigen::VectorXf z = random.vector(matrix.rows()).cast<float>();
@@ -65,6 +74,33 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
   }
   const Eigen::VectorXf touched = spread.transpose() * z;
   CHECK(touched.dot(stiffness * touched) == Approx(energy).epsilon(1e-4));
+}
+
+TEST_CASE("a compliance that is indefinite by rounding has no inverse", "[coarse]") {
+  MatrixXf nearly = MatrixXf::Identity(3, 3);
+  nearly(0, 1) = nearly(1, 0) = 1.0001f;
+  const NodeCompliance compliance = compliance_of({0}, [&](Eigen::Index i, Eigen::Index k) { return nearly(i, k); });
+  CHECK(compliance.inverse.size() == 0);
+  const MatrixXf push = push_back(2 * MatrixXf::Identity(3, 3), compliance);
+  CHECK((push + 2 * nearly * push).isApprox(2 * MatrixXf::Identity(3, 3), 1e-5f));
+}
+
+TEST_CASE("functions of numbered points are kept", "[coarse]") {
+  CoarseSpace space;
+  space.node_count = 3;
+  space.begin = {0, 2, 4};
+  space.node = {0, 2, 0, 1};
+  space.weight = {0.25, 0.75, 0.5, 0.5};
+  PointFunctions functions;
+  PointStiffness point{{0, 1, 0, 0}, {0.5, 0.5, 0, 0}, Eigen::Matrix3d::Identity(), 4};
+  const std::vector<PointFunctions::Function> expected{{0, 0.375}, {1, 0.25}, {2, 0.375}};
+  for (int i = 0; i < 2; ++i) {
+    const auto at = functions.at(space, point);
+    CHECK(std::vector(at.begin(), at.end()) == expected);
+    point.weights = {1, 0, 0, 0};  // not looked at: the number says it all
+  }
+  point.number = PointStiffness::kUnnumbered;
+  CHECK(functions.at(space, point).size() == 2);
 }
 
 TEST_CASE("contact that holds hardly otherwise serves again", "[coarse]") {
