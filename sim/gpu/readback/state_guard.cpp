@@ -4,11 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.h"
+
 namespace fascia {
 namespace {
 
 constexpr std::uint32_t kNone = ~0u;
 constexpr std::size_t kWord = sizeof(std::uint32_t);
+constexpr std::uint32_t kMeasured = 0x5eed0002;  // that motion.comp ran
 
 }  // namespace
 
@@ -44,9 +47,9 @@ void StateGuard::keep(SimBuffers& buffers, const Moment& moment) {
 void StateGuard::request(const SimBuffers& buffers, const Moment& moment) {
   if (fence_.is_set()) return;
   if (!measure_) {
-    motion_ = gl::Buffer("motion", 3 * kWord);
-    note_ = gl::Buffer::staging("guard_note", 4 * kWord);
-    measure_.emplace(programs_.compute("sim/readback/motion.comp"),
+    motion_ = gl::Buffer("motion", 4 * kWord);
+    note_ = gl::Buffer::staging("guard_note", 5 * kWord);
+    measure_.emplace(programs_.compute("sim/readback/motion.comp", {{"MEASURED", std::to_string(kMeasured) + "u"}}),
                      gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
                                                {"velocity", &buffers.velocity},
                                                {"earlier_displacement", &good_.displacement},
@@ -54,7 +57,7 @@ void StateGuard::request(const SimBuffers& buffers, const Moment& moment) {
                      Reduction(programs_, buffers.vertex_count).lanes,
                      gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
   }
-  constexpr std::uint32_t kZero[3] = {};
+  constexpr std::uint32_t kZero[4] = {};
   motion_.upload(0, sizeof kZero, kZero);
   measure_->run();
   copy(buffers, moment, candidate_);
@@ -66,6 +69,9 @@ void StateGuard::request(const SimBuffers& buffers, const Moment& moment) {
 std::optional<StateGuard::Verdict> StateGuard::take(bool wait) {
   if (!fence_.take(wait)) return std::nullopt;
   const auto note = note_.read<std::uint32_t>();
+  if (note[4] != kMeasured)
+    throw Error(gl::device().renderer, "a kernel of a step left nothing in its buffer",
+                "expected a device that computes; --context osmesa takes the software renderer");
   if (note[0] != kNone) return Verdict{note[0], {}};
   const auto length = [&](std::size_t k) { return std::sqrt(static_cast<double>(std::bit_cast<float>(note[k]))); };
   const Movement movement{candidate_.moment.time - good_.moment.time, length(1), length(2), length(3)};

@@ -36,7 +36,8 @@ class StateGuard {
   /// Queues the measurement and the copies, unless earlier ones are still pending. Needs a current context, as do the
   /// other functions.
   void request(const SimBuffers& buffers, const Moment& moment);
-  /// The result, once per request, when the copies are complete; with `wait`, waits for them.
+  /// The result, once per request, when the copies are complete; with `wait`, waits for them. Throws Error where the
+  /// measurement did not run: the driver has discarded dispatches.
   std::optional<Verdict> take(bool wait);
   /// Restores the last valid state.
   Moment restore(SimBuffers& buffers);
@@ -54,8 +55,8 @@ class StateGuard {
 
   Copy good_, candidate_;
   gl::ProgramCache& programs_;
-  gl::Buffer motion_;  // uint [3] (shaders/sim/readback/motion.comp); created at the first request, as the next two
-  gl::Buffer note_;    // uint [4] copy of SimBuffers::diverged, then of motion_
+  gl::Buffer motion_;  // uint [4] (shaders/sim/readback/motion.comp); created at the first request, as the next two
+  gl::Buffer note_;    // uint [5] copy of SimBuffers::diverged, then of motion_
   std::optional<gl::ComputePass> measure_;
   gl::Fence fence_;
 };
