@@ -10,8 +10,8 @@
 //             q = t - c s, b = mu lambda:  |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c
 //   force on the tissue  max(0, lambda - k d) n + q min(1, b / |q|)
 //
-// lambda, t, b, c and n0 are constants of the step, so this is one smooth energy. Tissue that touches tissue adds that of
-// sim/contact/pair_energy.h.
+// lambda, t, b, c and n0 are constants of the step, so this is one smooth energy. Tissue that touches tissue adds that
+// of sim/contact/pair_energy.h.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>

@@ -25,7 +25,8 @@ double longest_edge(const Model& model, const std::vector<Triangle>& triangles) 
 double mean_edge(const Model& model, const std::vector<Triangle>& triangles) {
   double sum = 0;
   for (const Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) sum += (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm();
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm();
   return sum / std::max(3.0 * static_cast<double>(triangles.size()), 1.0);
 }
 

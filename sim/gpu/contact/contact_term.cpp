@@ -232,8 +232,8 @@ void ContactTerm::upload_pairs() {
     weights.push_back({w[0], w[1], w[2], w[3]});
     constants.push_back(row_of(pair.normal, pair.gap));
     constants.push_back(row_of(pair.start, pair.stiffness));
-    constants.push_back(
-        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), kStickingPenalty * pair.stiffness}));
+    constants.push_back(row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)),
+                                kStickingPenalty * pair.stiffness}));
     listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
   }
   vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cells of 1 cm, held from below; a tool whose lowest point is `low` [m] below its middle is pressed 6 mm deep and slides
-// at `speed` [m/s] for 3 cm.
+// Cells of 1 cm, held from below; a tool whose lowest point is `low` [m] below its middle is pressed 6 mm deep and
+// slides at `speed` [m/s] for 3 cm.
 Model slab_under(const ToolShape& shape, double low, double friction, double speed) {
   Model model = test::cube(0.1, 10, test::soft_tissue(1e5, 0.01));
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
@@ -64,7 +64,8 @@ TEST_CASE("a ball that slides over tissue drags it with mu times its force", "[g
 TEST_CASE("tools as small as a cell drag tissue with most of mu times their force", "[gpu][contact]") {
   const int box = GENERATE(0, 1);
   const double speed = GENERATE(0.1, 0.02), friction = 0.5;
-  const ToolShape shape = box == 1 ? ToolShape(BoxShape{{0, 0, 0}, {0.01, 0.01, 0.01}, 0.002}) : SphereShape{{0, 0, 0}, 0.01};
+  const ToolShape shape =
+      box == 1 ? ToolShape(BoxShape{{0, 0, 0}, {0.01, 0.01, 0.01}, 0.002}) : SphereShape{{0, 0, 0}, 0.01};
   const double smooth = drag_on_gpu(slab_under(shape, 0.01, 0, speed));
   const double rough = drag_on_gpu(slab_under(shape, 0.01, friction, speed));
   CAPTURE(box, speed, smooth, rough);
