@@ -24,7 +24,7 @@ set(arrows
   "sim/gpu/integrators: gl sim/gpu/passes"
   "sim/gpu/methods: gl sim/coarse sim/gpu/acceleration sim/gpu/passes sim/ordering sim/scene/settings"
   "sim/gpu/passes: base gl gl/timing shaders/shared sim/coarse sim/material sim/mesh sim/model sim/ordering sim/scene/settings"
-  "sim/gpu/readback: base gl shaders/shared sim/gpu/contact sim/gpu/passes sim/model sim/surface"
+  "sim/gpu/readback: gl shaders/shared sim/gpu/contact sim/gpu/passes sim/model sim/surface"
   "sim/gpu/self_test: base gl sim/gpu sim/gpu/integrators sim/gpu/passes sim/mesh sim/model sim/reference"
   "sim/grab: base sim/contact sim/mesh sim/model sim/scene sim/surface sim/visual"
   "sim/material:"

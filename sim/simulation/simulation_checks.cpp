@@ -64,6 +64,7 @@ bool Simulation::settle() {
 void Simulation::follow_check(bool wait) {
   const std::optional<StateGuard::Verdict> verdict = gpu_->take_check(wait);
   if (!verdict) return;
+  require_measured(verdict->measured);
   if (unproven_ && checked_step_ > 0) judge_device(*verdict);
   if (verdict->diverged) {
     diverged_ = verdict->diverged;

@@ -69,4 +69,8 @@ void require_computed(const Model& model, const State& state) {
   if (free && !moved) throw Error(gl::device().renderer, "no vertex has moved in the first steps", kExpected);
 }
 
+void require_measured(bool measured) {
+  if (!measured) throw Error(gl::device().renderer, "a kernel of a step left nothing in its buffer", kExpected);
+}
+
 }  // namespace fascia

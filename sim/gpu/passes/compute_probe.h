@@ -17,5 +17,7 @@ Model trial_model();
 /// `state`: the result of the first steps under gravity. Throws Error, which names the device, if no free vertex is
 /// finite or none has moved.
 void require_computed(const Model& model, const State& state);
+/// Throws Error unless a kernel that measured a state, after a step, did so.
+void require_measured(bool measured);
 
 }  // namespace fascia

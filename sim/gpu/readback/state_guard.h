@@ -21,8 +21,9 @@ class StateGuard {
   };
   struct Verdict {
     std::optional<std::uint32_t>
-        diverged;       // the place of a vertex that diverged; none: the state is kept as the last valid one
-    Movement movement;  // since the valid state before it
+        diverged;          // the place of a vertex that diverged; none: the state is kept as the last valid one
+    Movement movement;     // since the valid state before it
+    bool measured = true;  // else the driver has discarded the dispatch
   };
 
   StateGuard(gl::ProgramCache& programs, SimBuffers& buffers);
@@ -36,8 +37,7 @@ class StateGuard {
   /// Queues the measurement and the copies, unless earlier ones are still pending. Needs a current context, as do the
   /// other functions.
   void request(const SimBuffers& buffers, const Moment& moment);
-  /// The result, once per request, when the copies are complete; with `wait`, waits for them. Throws Error where the
-  /// measurement did not run: the driver has discarded dispatches.
+  /// The result, once per request, when the copies are complete; with `wait`, waits for them.
   std::optional<Verdict> take(bool wait);
   /// Restores the last valid state.
   Moment restore(SimBuffers& buffers);

@@ -64,11 +64,11 @@ TEST_CASE("a program that does not link ends with its file", "[faults]") {
   for (const long n : tried(calls, 3)) check_fault("link:" + std::to_string(n), {"does not link"});
 }
 
+// What the last two would make is shown by nothing here.
 TEST_CASE("a driver that discards dispatches, from any one on", "[faults]") {
   check_fault("drop:1", {"a kernel that ran left nothing in its buffer"});
-  check_fault("drop:2", {"no vertex has moved in the first steps"});
-  for (const long n : tried(calls_of("drop"), 6))
-    check_fault("drop:" + std::to_string(n), {"left nothing in its buffer", "no vertex has moved in the first steps"});
+  for (const long n : tried(calls_of("drop") - 2, 6))
+    if (n > 1) check_fault("drop:" + std::to_string(n), {"a kernel of a step left nothing in its buffer"});
 }
 
 TEST_CASE("a context that is lost at a dispatch is told as such", "[faults]") {
