@@ -64,8 +64,7 @@ TEST_CASE("a kernel that computes something else is named, and so is the first o
 TEST_CASE("a device that EGL does not have, and one that its context does not have", "[info_device]") {
   for (const auto& [arguments, part] :
        {std::pair(std::vector<std::string>{"info", "--device", "99"}, "--device 99: EGL has no device of this number"),
-        std::pair(std::vector<std::string>{"info", "--device", "0", "--context", "osmesa"}, "OSMesa has no devices"),
-        std::pair(std::vector<std::string>{"view", "--device", "0"}, "does not choose the GPU of a window")}) {
+        std::pair(std::vector<std::string>{"info", "--device", "0", "--context", "osmesa"}, "OSMesa has no devices")}) {
     const CommandResult result = run_fascia(arguments);
     INFO(result.err);
     CHECK(result.exit_code == 1);
