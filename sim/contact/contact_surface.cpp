@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "base/error.h"
-#include "sim/contact/contact_block.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
@@ -20,14 +19,6 @@ double longest_edge(const Model& model, const std::vector<Triangle>& triangles) 
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm());
   return longest;
-}
-
-double mean_edge(const Model& model, const std::vector<Triangle>& triangles) {
-  double sum = 0;
-  for (const Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm();
-  return sum / std::max(3.0 * static_cast<double>(triangles.size()), 1.0);
 }
 
 class PointList {
@@ -174,7 +165,6 @@ ContactSurface make_contact_surface(const Model& model) {
   if (model.tools.empty()) return surface;
   const std::vector<Triangle> triangles = tissue_boundary(model);
   const double longest = longest_edge(model, triangles);
-  surface.full_slip = kFullSlip * mean_edge(model, triangles);
   std::vector<int> levels;
   for (const Tool& tool : model.tools) {
     const double radius = finest_radius(tool.shape);

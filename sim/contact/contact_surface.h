@@ -37,7 +37,6 @@ struct ContactSurface {
   std::vector<ContactPoint> points;  // level by level; none where all corners are held
   std::vector<ContactPiece> pieces;
   std::uint32_t row_count = 0;
-  double full_slip = 0;            // [m] after which any point bears all of its friction (contact_block.h)
   std::vector<std::string> notes;  // tools that are too thin for the surface, one line each
 
   bool empty() const { return row_count == 0; }

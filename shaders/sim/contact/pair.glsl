@@ -1,5 +1,5 @@
 // Pairs of places of the tissue, as sim/contact/pair_energy.h states their energy. After row.glsl.
-INPUT_VEC4(ContactPairs, contact_pairs)  // [3 * pairs] normal, gap [m]; start [m], k [N/m]; friction, row, c [N/m], 0
+INPUT_VEC4(ContactPairs, contact_pairs)  // [3 * pairs] normal, gap [m]; start [m], penalty [N/m]; friction, row, 0, 0
 uniform uint points;                     // pairs come after these
 
 uint row_of_pair(uint pair) { return uint(FETCH(contact_pairs, 3u * pair + 2u).y); }
@@ -8,7 +8,6 @@ float friction_of_pair(uint pair) { return FETCH(contact_pairs, 3u * pair + 2u).
 // `u`: of one side less that of the other [m].
 Row row_of(uint pair, vec3 u, vec4 memory) {
   vec4 front = FETCH(contact_pairs, 3u * pair), start = FETCH(contact_pairs, 3u * pair + 1u);
-  vec4 constants = FETCH(contact_pairs, 3u * pair + 2u);
   vec3 way = u - start.xyz;
   float along = dot(front.xyz, way);
   Row r;
@@ -17,8 +16,8 @@ Row row_of(uint pair, vec3 u, vec4 memory) {
   r.depth = -front.w - along;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = front.xyz;
-  r.bound = constants.x * r.before;
-  r.sliding = constants.z;
+  r.bound = friction_of_pair(pair) * r.before;
+  r.sliding = STICKING * r.penalty;
   vec3 q = memory.xyz - r.sliding * way;
   r.across = r.bound > 0.0 ? q - dot(q, front.xyz) * front.xyz : vec3(0.0);
   return r;

@@ -102,7 +102,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   begin_ = gl::Buffer("contact_begin", std::vector<std::uint32_t>(buffers.vertex_count + std::size_t{1}));
   end_ = gl::Buffer("contact_end", std::vector<std::uint32_t>(buffers.vertex_count));
   entries_ = gl::Buffer("contact_entries", 2 * sizeof(Entry) * entries);
-  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * kPieceRows * std::max<std::size_t>(surface_.pieces.size(), 1));
+  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * std::max<std::size_t>(surface_.pieces.size(), 1));
   near_ = gl::Buffer("contact_near", near);
   counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(stretches() + 1));
   list_ = gl::Buffer("contact_list", none);
@@ -209,7 +209,6 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row_of(to.pose.origin, std::min(finest_radius(tool.shape), 1e30)));
-    rows.push_back(row_of({surface_.full_slip, 0, 0}));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;
@@ -232,8 +231,8 @@ void ContactTerm::upload_pairs() {
     weights.push_back({w[0], w[1], w[2], w[3]});
     constants.push_back(row_of(pair.normal, pair.gap));
     constants.push_back(row_of(pair.start, pair.stiffness));
-    constants.push_back(row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)),
-                                kStickingPenalty * pair.stiffness}));
+    constants.push_back(
+        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), 0}));
     listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
   }
   vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());

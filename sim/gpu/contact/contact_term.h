@@ -88,7 +88,6 @@ class ContactTerm : public EnergyTerm {
  private:
   static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
   static constexpr std::uint32_t kStretch = 256;   // of points that one invocation lists
-  static constexpr std::size_t kPieceRows = 12;    // shaders/sim/contact/piece.glsl
 
   void make_grids();
   gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
