@@ -76,6 +76,15 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       ->type_name("FILE.csv");
 }
 
+// Options before a command are those of the window, and would be ignored.
+void refuse_options_before_command(const CLI::App& program, Invocation& invocation) {
+  for (const CLI::Option* option : program.get_options())
+    if (option->count() > 0)
+      invocation.run = [given = option->get_name(), command = program.get_subcommands().front()->get_name()]() -> int {
+        throw UsageError(given, "stands before the command " + command, "expected it after the command");
+      };
+}
+
 }  // namespace
 
 void add_view(CLI::App& program, Invocation& invocation) {
@@ -88,7 +97,10 @@ void add_view(CLI::App& program, Invocation& invocation) {
                         "fascia render liver.json --out shot.png  # fascia COMMAND --help says more"});
     // The program's own callback runs last, after any command.
     app->callback([&program, &invocation, options] {
-      if (invocation.run) return;
+      if (invocation.run) {
+        refuse_options_before_command(program, invocation);
+        return;
+      }
       refuse_mistyped_command(program, options->input);
       options->command_line = invocation.command_line;
       invocation.run = [options] { return open_window(*options); };

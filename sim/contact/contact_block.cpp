@@ -1,9 +1,15 @@
 #include "sim/contact/contact_block.h"
 
+#include <algorithm>
+
 namespace fascia {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+double sliding_penalty(double stiffness, double bound, double full_slip) {
+  return std::max(kStickingPenalty * stiffness, bound / full_slip);
+}
 
 Vector3d within(const Vector3d& q, double bound) {
   const double length = q.norm();

@@ -5,11 +5,15 @@
 
 namespace fascia {
 
-/// The penalty on sliding, as a factor of that on depth, of tissue on planes and on tissue. Anchors hold with any: a
-/// stiff one makes the bound of friction a sharp kink, at which iterations take back one step after another.
+/// The least penalty on sliding, as a factor of that on depth, and that between tissue and tissue. Anchors hold with
+/// any: a stiff one makes the bound of friction a sharp kink, at which iterations take back one step after another.
 inline constexpr double kStickingPenalty = 1.0 / 30;
-/// The same under other shapes. Points come and go there while they slide, and must bear their friction soon.
-inline constexpr double kPassingPenalty = 1.0 / 10;
+/// The slip on a tool after which a point bears all of its friction, in mean edges of the surface. One whose load is
+/// large for its area would else slide on for more than a cell before it does.
+inline constexpr double kFullSlip = 0.1;
+/// The penalty on sliding c [N/m] of a point on a tool: of the penalty on depth `stiffness` [N/m], the bound of
+/// friction `bound` [N] and the slip `full_slip` [m].
+double sliding_penalty(double stiffness, double bound, double full_slip);
 
 struct ContactBlock {
   std::uint32_t row_vertex, column_vertex;

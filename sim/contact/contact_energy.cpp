@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 #include "sim/tool/shape_distance.h"
 #include "sim/tool/tool_entry.h"
@@ -26,8 +25,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
     const Tool& tool = model.tools[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
     pieces_.push_back({&tool.shape, tool.pose_of_piece(piece.piece, motion.to[piece.tool]),
-                       motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level)),
-                       std::holds_alternative<PlaneShape>(tool.shape) ? kStickingPenalty : kPassingPenalty});
+                       motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level))});
     const RigidPose& after = pieces_.back().pose;
     for (std::size_t p = 0; p < piece.points; ++p) {
       Row& row = rows_[piece.first_row + p];
@@ -35,7 +33,8 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.stiffness = pieces_.back().share * stiffness[p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
-      row.pressing = 0;
+      row.pressing = memory.size() < rows_.size() ? 0 : memory[piece.first_row + p].normal;
+      row.sliding = sliding_penalty(row.stiffness, tool.friction * row.pressing, surface.full_slip);
       row.friction.setZero();
       if (!aim.empty())
         if (const auto entry =
@@ -45,9 +44,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
           row.plane = entry->offset + row.normal.dot(after.origin);
         }
       if (memory.size() < rows_.size()) continue;
-      const ContactForce& force = memory[piece.first_row + p];
-      row.pressing = force.normal;
-      row.friction = after.axes * force.friction;
+      row.friction = after.axes * memory[piece.first_row + p].friction;
       row.friction -= row.friction.dot(row.normal) * row.normal;
     }
   }
@@ -85,7 +82,7 @@ ContactEnergy::Contact ContactEnergy::contact_of(const ContactPiece& piece, std:
   contact.depth = 0.5 * model_.contact.thickness - distance.distance;
   contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
   const Vector3d way = contact.x - row.anchor;
-  contact.tangential = row.friction - placed.sticking * row.stiffness * (way - way.dot(row.normal) * row.normal);
+  contact.tangential = row.friction - row.sliding * (way - way.dot(row.normal) * row.normal);
   return contact;
 }
 
@@ -109,7 +106,7 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* ma
     energy += 0.5 * (contact.pressing - row.pressing) * (contact.pressing + row.pressing) / row.stiffness;
     Vector3d force = contact.pressing * contact.normal;
     if (bound > 0) {
-      energy += sticking_energy(contact.tangential, bound, placed.sticking * row.stiffness);
+      energy += sticking_energy(contact.tangential, bound, row.sliding);
       force += within(contact.tangential, bound);
     }
     if (magnitude) *magnitude += force.norm() * reach_of(contact, placed);
@@ -143,7 +140,7 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
       hessian += row.stiffness * contact.normal * contact.normal.transpose();
       if (!semidefinite) hessian -= contact.pressing * contact.curvature;
     }
-    if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, placed.sticking * row.stiffness, row.normal);
+    if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.sliding, row.normal);
     const ContactPoint& point = surface_.points[p];
     const double reach = reach_of(contact, placed);
     for (std::size_t a = 0; a < 3; ++a)
@@ -157,11 +154,12 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
 ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
   ContactMemory memory(slots_);
   pairs_.remember(u, memory);
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row&) {
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
     ContactForce& force = memory[piece.first_row + p];
     force.normal = contact.pressing;
-    force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
+    if (row.pressing > 0)
+      force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
   });
   return memory;
 }

@@ -6,12 +6,12 @@
 //
 //   normal    (max(0, lambda - k d)^2 - lambda^2) / (2 k)
 //   friction  with s the way of x against the piece across its normal n0 at the start, c the penalty on sliding
-//   (contact_block.h),
+//   (sliding_penalty()),
 //             q = t - c s, b = mu lambda:  |q| <= b: |q|^2 / (2 c), else (b |q| - b^2 / 2) / c
 //   force on the tissue  max(0, lambda - k d) n + q min(1, b / |q|)
 //
-// lambda, t, b and n0 are constants of the step, so this is one smooth energy. Tissue that touches tissue adds that of
-// sim/contact/pair_energy.h.
+// lambda, t, b, c and n0 are constants of the step, so this is one smooth energy. Tissue that touches tissue adds that
+// of sim/contact/pair_energy.h.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -56,7 +56,6 @@ class ContactEnergy {
     RigidPose pose;          // at the end
     Eigen::Vector3d origin;  // of the tool, at the end
     double friction, share;  // of the penalty and the area at level 0
-    double sticking;         // penalty on sliding over that on depth
   };
   struct Row {
     double stiffness;
@@ -64,6 +63,7 @@ class ContactEnergy {
     Eigen::Vector3d anchor;       // where the piece takes the point to that was at the start [m]
     Eigen::Vector3d normal;       // n0
     double pressing;              // lambda
+    double sliding;               // c [N/m]
     std::optional<double> plane;  // offset of the plane across `normal` that stands for the piece (tool_entry.h) [m]
   };
   struct Contact {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "sim/contact/contact_block.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
@@ -19,6 +20,14 @@ double longest_edge(const Model& model, const std::vector<Triangle>& triangles) 
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm());
   return longest;
+}
+
+double mean_edge(const Model& model, const std::vector<Triangle>& triangles) {
+  double sum = 0;
+  for (const Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += (model.rest_positions[t[k]] - model.rest_positions[t[(k + 1) % 3]]).norm();
+  return sum / std::max(3.0 * static_cast<double>(triangles.size()), 1.0);
 }
 
 class PointList {
@@ -165,6 +174,7 @@ ContactSurface make_contact_surface(const Model& model) {
   if (model.tools.empty()) return surface;
   const std::vector<Triangle> triangles = tissue_boundary(model);
   const double longest = longest_edge(model, triangles);
+  surface.full_slip = kFullSlip * mean_edge(model, triangles);
   std::vector<int> levels;
   for (const Tool& tool : model.tools) {
     const double radius = finest_radius(tool.shape);
@@ -205,6 +215,14 @@ std::vector<double> contact_stiffness(const Model& model, const ContactSurface& 
     stiffness.push_back(kContactPenalty * model.contact.stiffness * per_area * point.area);
   }
   return stiffness;
+}
+
+void soften(ContactMemory& memory, const ContactSurface& surface, const std::vector<double>& before,
+            const std::vector<double>& after) {
+  if (memory.size() < surface.row_count) return;
+  for (const ContactPiece& piece : surface.pieces)
+    for (std::uint32_t p = 0; p < piece.points; ++p)
+      if (after[p] < before[p]) soften(memory[piece.first_row + p], after[p] / before[p]);
 }
 
 }  // namespace fascia

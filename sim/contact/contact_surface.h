@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/model/model.h"
+#include "sim/model/state.h"
 
 namespace fascia {
 
@@ -37,6 +38,7 @@ struct ContactSurface {
   std::vector<ContactPoint> points;  // level by level; none where all corners are held
   std::vector<ContactPiece> pieces;
   std::uint32_t row_count = 0;
+  double full_slip = 0;            // [m] after which any point bears all of its friction (contact_block.h)
   std::vector<std::string> notes;  // tools that are too thin for the surface, one line each
 
   bool empty() const { return row_count == 0; }
@@ -57,5 +59,10 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
 /// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the
 /// vertices (l: the height of a cell), s = 10 times the factor of the scene. At level L a 4^L-th.
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);
+
+/// The forces that rows of tools remember, after the stiffness of points [N/m] changed: they fall with it. Tissue that
+/// is pressed in as before and has become softer would else be thrown out by what the stiffer one bore.
+void soften(ContactMemory& memory, const ContactSurface& surface, const std::vector<double>& before,
+            const std::vector<double>& after);
 
 }  // namespace fascia

@@ -98,7 +98,8 @@ void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
     const Contact contact = contact_of(i, u);
     ContactForce& force = memory[first_row_ + force_row(rows_[i].slot)];
     force.normal = contact.pressing;
-    force.friction = within(contact.tangential, friction_ * contact.pressing);
+    force.friction =
+        before_[i].normal > 0 ? within(contact.tangential, friction_ * contact.pressing) : Vector3d(0, 0, 0);
     met_in(memory[first_row_ + met_row(rows_[i].slot)], rows_[i].slot) = rows_[i].met;
   }
 }

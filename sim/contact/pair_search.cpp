@@ -54,11 +54,36 @@ PairSearch::PairSearch(const Model& model) : self_(model.contact.self), bodies_(
   materials_changed(model);
 }
 
-void PairSearch::materials_changed(const Model& model) {
+void PairSearch::materials_changed(const Model& model, std::span<ContactForce> memory) {
   if (empty()) return;
+  std::vector<double> factors(memory.empty() || softness_.empty() ? 0 : slot_count_, 1);
+  const auto for_pressed = [&](auto&& use) {
+    for (std::uint32_t slot = 0; slot < factors.size(); ++slot)
+      if (memory[force_row(slot)].normal > 0)
+        if (const auto met = static_cast<std::uint32_t>(met_in(memory[met_row(slot)], slot)); met > 0)
+          use(slot, softness_between(slot, met - 1));
+  };
+  for_pressed([&](std::uint32_t slot, double softness) { factors[slot] = softness; });
   penalty_ = 2 * kContactPenalty * model.contact.stiffness;  // of two sides in a row
   softness_ = tissue_stiffness(model, areas_);
   for (const std::uint32_t v : vertices_) softness_[v] = 1 / softness_[v];
+  for_pressed([&](std::uint32_t slot, double softness) {
+    if (softness > factors[slot]) soften(memory[force_row(slot)], factors[slot] / softness);
+  });
+}
+
+double PairSearch::softness_between(std::uint32_t slot, std::uint32_t met) const {
+  const auto vertex_count = static_cast<std::uint32_t>(vertices_.size());
+  const auto of_edge = [&](std::uint32_t e) { return (softness_[edges_[e].from] + softness_[edges_[e].to]) / 2; };
+  const bool guards = slot >= first_guard_;
+  if (guards ? slot - first_guard_ >= vertex_count : slot >= first_slot_of_edge(0)) {
+    const std::uint32_t edge =
+        guards ? slot - first_guard_ - vertex_count : (slot - first_slot_of_edge(0)) / kEdgeSlots;
+    return of_edge(edge) + of_edge(met);
+  }
+  const Triangle& t = triangles_[met];
+  return softness_[vertices_[guards ? slot - first_guard_ : slot / body_slots_]] +
+         (softness_[t[0]] + softness_[t[1]] + softness_[t[2]]) / 3;
 }
 
 void PairSearch::place() {

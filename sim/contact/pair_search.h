@@ -37,7 +37,8 @@ class PairSearch {
 
   /// Empty if no tissue of the model touches tissue.
   explicit PairSearch(const Model& model);
-  void materials_changed(const Model& model);
+  /// Forces in `memory` [row_count()] fall with the stiffness of their pairs, as those of tools do (soften()).
+  void materials_changed(const Model& model, std::span<ContactForce> memory = {});
 
   bool empty() const { return slot_count_ == 0; }
   std::uint32_t slot_count() const { return slot_count_; }
@@ -76,6 +77,7 @@ class PairSearch {
   static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
   std::vector<PairRow> find_pairs();
+  double softness_between(std::uint32_t slot, std::uint32_t met) const;  // of the two sides [m/Pa]
   void keep_guards();
   void keep_guard_of_vertex(std::uint32_t vertex);
   void keep_guard_of_edge(std::uint32_t edge);

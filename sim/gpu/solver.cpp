@@ -204,7 +204,7 @@ void GpuSolver::materials_changed() {
   if (unfolding_) take_unfolding_law(model_.materials);
   model_.gravity = given_.gravity;
   buffers_.upload_materials(model_);
-  contact_.materials_changed(given_);
+  contact_.materials_changed(given_, buffers_);
   settings_changed();
   if (const Features features = features_of(model_); features != features_) {
     features_ = features;

@@ -16,6 +16,11 @@ struct ContactForce {
   double normal = 0;                  // lambda [N], at least 0
   bool operator==(const ContactForce&) const = default;
 };
+/// A force of tissue that became softer by `factor`.
+inline void soften(ContactForce& force, double factor) {
+  force.friction *= factor;
+  force.normal *= factor;
+}
 /// [rows] what contact remembers from step to step; empty: no contact so far.
 using ContactMemory = std::vector<ContactForce>;
 

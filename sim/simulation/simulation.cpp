@@ -7,10 +7,25 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/contact/contact_surface.h"
+#include "sim/contact/pair_search.h"
 #include "sim/grab/build_model.h"
 #include "sim/model/region_materials.h"
 
 namespace fascia {
+namespace {
+
+// For solvers that are made anew with the materials of `after`.
+void soften_contact(ContactMemory& memory, const Model& before, const Model& after) {
+  if (memory.empty()) return;
+  const ContactSurface surface = make_contact_surface(before);
+  PairSearch pairs(before);
+  if (memory.size() != surface.row_count + pairs.row_count()) return;
+  soften(memory, surface, contact_stiffness(before, surface), contact_stiffness(after, surface));
+  pairs.materials_changed(after, std::span(memory).subspan(surface.row_count));
+}
+
+}  // namespace
 
 Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_reference)
     : Simulation(opened, build_model(opened), programs, use_reference) {}
@@ -239,11 +254,14 @@ void Simulation::set_material(std::size_t index, const Material& material) {
   const bool only_looks = repainted == material;  // differently: nothing moves
   if (!only_looks) wake();
   log_.add({steps_, MaterialInput{index, material}});
+  const std::optional<Model> before = reference_ ? std::optional(model) : std::nullopt;
   model.materials[index] = material;
   tell(MaterialInput{index, material});
   if (only_looks) return;
   if (gpu_) gpu_->materials_changed();
-  if (reference_) renew_reference();
+  if (!reference_) return;
+  soften_contact(reference_state_.contact, *before, model);
+  renew_reference();
 }
 
 void Simulation::set_material_entries(const std::vector<MaterialEntries>& entries) {
@@ -262,8 +280,10 @@ void Simulation::set_material_entries(const std::vector<MaterialEntries>& entrie
       if (other.materials[i] != model.materials[i]) set_material(i, other.materials[i]);
     return;
   }
-  const State now = state();
+  State now = state();
   std::swap(model, other);  // the new solver reads it there
+  soften_contact(now.contact, other, model);
+  if (reference_) reference_state_.contact = now.contact;
   try {
     if (gpu_) {
       auto renewed = std::make_unique<GpuSolver>(*programs_, model, gpu_->settings(), model.embedded);

@@ -11,7 +11,7 @@ INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
 INPUT_VEC4(Displacement, displacement)       // [vertex_count] u [m]
 INPUT_UINT(ContactNear, contact_near)        // [points]
 INOUT(vec4, ContactMemoryNow, contact_memory_now)  // [rows] xyz t in the axes of the piece, w lambda [N]
-INOUT(vec4, ContactRow, contact_row)         // [rows] xyz anchor, then the force on the tissue [N], w depth [m], -1 if apart
+INOUT(vec4, ContactRow, contact_row)         // [rows] the anchor, then the force on the tissue [N], w depth [m], -1 if apart
 OUTPUT(vec4, ContactForce, contact_force)    // [points + pairs] xyz force, w the normal one [N]
 
 void main() {
@@ -31,7 +31,7 @@ void main() {
   vec4 rest = FETCH(contact_rest, i), force = vec4(0.0);
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = row_at(piece, row, rest, u, contact_memory_now[row], contact_row[row].xyz);
+    Row r = row_at(piece, row, rest, u, contact_memory_now[row], contact_row[row]);
     vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);

@@ -34,7 +34,7 @@ void main() {
     vec4 rest = FETCH(contact_rest, i);
     do {
       uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-      Row r = row_at(piece, row, rest, u, FETCH(contact_memory, row), FETCH(contact_anchor, row).xyz);
+      Row r = row_at(piece, row, rest, u, FETCH(contact_memory, row), FETCH(contact_anchor, row));
       force += vec4(force_of(r), energy_of(r));
       add_stiffness(block, r, FETCH(contact_normal, row).xyz);
       near &= near - 1u;

@@ -16,7 +16,7 @@ INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
 OUTPUT(vec4, ContactBefore, contact_before)        // [rows] the memory at the start, for comparisons
 OUTPUT(uint, ContactNear, contact_near)            // [points] a bit for every piece that is near
-OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] u with which points go with the piece [m]; 0 where not near
+OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] u with which points go with the piece [m], w c of friction [N/m]; 0 where not near
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 OUTPUT(vec4, ContactForce, contact_force)          // [points]
 OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
@@ -59,7 +59,9 @@ void main() {
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
-    contact_anchor[row] = touches ? vec4(anchor, 0.0) : vec4(0.0);
+    float penalty = share_of_penalty(piece) * FETCH(contact_rest, i).w;
+    float sliding = max(STICKING * penalty, friction_of(piece) * memory.w / full_slip(piece));
+    contact_anchor[row] = touches ? vec4(anchor, sliding) : vec4(0.0);
     if (!touches) continue;
     near |= 1u << piece;
     vec3 first = to_local(end, x), last = to_local(end, x + way), inward = last - first;
@@ -79,7 +81,7 @@ void main() {
     }
     before -= half_thickness(piece);
     after -= half_thickness(piece);
-    float in_by = least_depth(let_in(piece), share_of_penalty(piece) * FETCH(contact_rest, i).w, mass, before - after);
+    float in_by = least_depth(let_in(piece), penalty, mass, before - after);
     if (after < -in_by && after < before)
       atomicMin(contact_bodies[leader], floatBitsToUint(max(0.0, before + in_by) / (before - after)));
 #if MESHES

@@ -1,6 +1,6 @@
 // Rigid pieces of tools: poses and signed distances (sim/tool/shape_distance.h). The defines CAPSULES, BOXES, PLANES,
 // CYLINDERS and MESHES say which shapes there are; a sphere is a capsule without a length.
-#define PIECE_ROWS 11u
+#define PIECE_ROWS 12u
 #define MOST_PIECES 32u
 #define NO_PLANE 3e38
 INPUT_VEC4(ContactPieces, contact_pieces)  // [PIECE_ROWS * pieces]: sim/gpu/contact/contact_term.cpp
@@ -25,7 +25,7 @@ float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
 float finest_radius(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 10u).w; }
-bool is_plane(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 4u).w == 2.0; }
+float full_slip(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).x; }  // [m] after which points bear all friction
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 

@@ -1,6 +1,5 @@
 // The force, the energy and the stiffness of a row, a contact point at a piece of a tool, as sim/contact/contact_energy.h
-// states them, without the curvature of the tool's surface. STICKING, PASSING: the penalty on sliding over that on
-// depth, of planes and pairs, and of other shapes.
+// states them, without the curvature of the tool's surface.
 #include "common/symmetric.glsl"
 #include "sim/contact/piece.glsl"
 INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the plane that stands for the piece, or NO_PLANE
@@ -8,13 +7,13 @@ INPUT_VEC4(ContactNormal, contact_normal)  // [rows] xyz n0, w offset of the pla
 struct Row {
   float pressing, before, depth;           // N [N], lambda [N], -d [m]
   float penalty, sliding;                  // k, c [N/m]
-  vec3 normal, across;                     // n, and q [N], 0 without friction
+  vec3 normal, across;                     // n, and q [N]
   float bound;                             // b [N]
 };
 
 // `rest`: xyz place at rest [m], w penalty; `memory`: xyz t in the axes of the piece, w lambda; `anchor`: the u with which
-// the point would go where the piece goes.
-Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec3 anchor) {
+// the point would go where the piece goes, w c.
+Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec4 anchor) {
   vec3 x = rest.xyz + u;
   PiecePose pose = pose_at_end(piece);
   vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
@@ -29,8 +28,8 @@ Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec3 anchor) {
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;
   r.bound = friction_of(piece) * r.before;
-  r.sliding = (is_plane(piece) ? STICKING : PASSING) * r.penalty;
-  vec3 q = pose.axes * memory.xyz - r.sliding * (u - anchor);
+  r.sliding = anchor.w;
+  vec3 q = pose.axes * memory.xyz - r.sliding * (u - anchor.xyz);
   r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);
   return r;
 }

@@ -53,6 +53,7 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
   if (grids_) more.emplace_back("contact_grid", &grids_);
   gl::Defines with_entry = defines();
   with_entry.emplace_back("ENTRY_STEPS", std::to_string(kEntrySteps));
+  with_entry.emplace_back("STICKING", std::to_string(kStickingPenalty));
   gl::ComputePass pass(programs.compute(kernel, with_entry), std::move(more), point_count(),
                        {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
                         {"bodies", starts_.body_count()},
@@ -79,7 +80,6 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
   gl::Defines listed = defines();
   listed.emplace_back("DEFERRED", "1");
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
-  listed.emplace_back("PASSING", std::to_string(kPassingPenalty));
   gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
                        std::move(constants));
   pass.loops(loops_of_point());

@@ -102,7 +102,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   begin_ = gl::Buffer("contact_begin", std::vector<std::uint32_t>(buffers.vertex_count + std::size_t{1}));
   end_ = gl::Buffer("contact_end", std::vector<std::uint32_t>(buffers.vertex_count));
   entries_ = gl::Buffer("contact_entries", 2 * sizeof(Entry) * entries);
-  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * 11 * std::max<std::size_t>(surface_.pieces.size(), 1));
+  pieces_ = gl::Buffer("contact_pieces", sizeof(vec4) * kPieceRows * std::max<std::size_t>(surface_.pieces.size(), 1));
   near_ = gl::Buffer("contact_near", near);
   counts_ = gl::Buffer("contact_counts", std::vector<std::uint32_t>(stretches() + 1));
   list_ = gl::Buffer("contact_list", none);
@@ -139,14 +139,14 @@ double ContactTerm::way_of(const ToolMotion& motion) const {
 std::uint32_t ContactTerm::stretches() const { return std::max(1u, (point_count() + kStretch - 1) / kStretch); }
 
 void ContactTerm::upload_points(const Model& model) {
-  const std::vector<double> stiffness = contact_stiffness(model, surface_);
+  stiffness_ = contact_stiffness(model, surface_);
   std::vector<vec4> weights, rest;
   for (std::size_t p = 0; p < surface_.points.size(); ++p) {
     const ContactPoint& point = surface_.points[p];
     Vector3d x(0, 0, 0);
     for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
     weights.push_back(row_of({point.weights[0], point.weights[1], point.weights[2]}));
-    rest.push_back(row_of(x, stiffness[p]));
+    rest.push_back(row_of(x, stiffness_[p]));
   }
   weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
   rest_.upload(0, rest.size() * sizeof(vec4), rest.data());
@@ -168,11 +168,16 @@ void ContactTerm::make_grids() {
   if (!nodes.empty()) grids_ = gl::Buffer("contact_grid", nodes);
 }
 
-void ContactTerm::materials_changed(const Model& model) {
+void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
   if (!acts()) return;
-  pairs_.materials_changed(model);
-  starts_.materials_changed(model);
+  const std::vector<double> before = stiffness_;
   upload_points(model);
+  const ContactMemory left = buffers.contact_forces(buffers.contact_memory);
+  ContactMemory softened = left;
+  soften(softened, surface_, before, stiffness_);
+  pairs_.materials_changed(model, std::span(softened).subspan(surface_.row_count));
+  if (softened != left) buffers.upload_contact(softened);
+  starts_.materials_changed(model);
 }
 
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration,
@@ -209,6 +214,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row_of(to.pose.origin, std::min(finest_radius(tool.shape), 1e30)));
+    rows.push_back(row_of({surface_.full_slip, 0, 0}));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;

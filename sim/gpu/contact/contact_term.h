@@ -26,7 +26,8 @@ class ContactTerm : public EnergyTerm {
   /// ContactSurface::kMostPieces pieces.
   ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath loads);
 
-  void materials_changed(const Model& model);
+  /// Also softens the forces in the buffers' contact_memory where tissue became softer. Waits for the GPU.
+  void materials_changed(const Model& model, SimBuffers& buffers);
   /// The poses of a stage of `duration` that ends at `time` [s], and the pairs of the tissue, on which `springs` act,
   /// at places of the buffers' vertices. Waits for the GPU where tissue touches tissue.
   void begin_stage(const ToolMotion& motion, double time, double duration, const std::vector<VertexStiffness>& springs,
@@ -88,6 +89,7 @@ class ContactTerm : public EnergyTerm {
  private:
   static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
   static constexpr std::uint32_t kStretch = 256;   // of points that one invocation lists
+  static constexpr std::size_t kPieceRows = 12;    // shaders/sim/contact/piece.glsl
 
   void make_grids();
   gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
@@ -125,6 +127,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   gl::Buffer sums_;                        // of contact_gather.comp; absent on GPUs
   gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
+  std::vector<double> stiffness_;          // [point] of the penalty on depth [N/m]
   std::vector<shared::vec4> uploaded_;     // of pieces_
   std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()
   std::vector<shared::vec4> read_blocks_;  // of blocks_

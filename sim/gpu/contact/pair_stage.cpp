@@ -18,7 +18,9 @@ PairStage::PairStage(const Model& model) : model_(model), search_(model) {
   falls_.assign(free.unconstrained.begin(), free.unconstrained.end());
 }
 
-void PairStage::materials_changed(const Model& model) { search_.materials_changed(model); }
+void PairStage::materials_changed(const Model& model, std::span<ContactForce> memory) {
+  search_.materials_changed(model, memory);
+}
 
 void PairStage::begin(double time, double duration, SimBuffers& buffers, std::uint32_t first_row) {
   duration_ = duration;

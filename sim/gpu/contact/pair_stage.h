@@ -11,7 +11,7 @@ class PairStage {
  public:
   /// Empty if no tissue of the model touches tissue. `model` outlives this object.
   explicit PairStage(const Model& model);
-  void materials_changed(const Model& model);
+  void materials_changed(const Model& model, std::span<ContactForce> memory);
 
   bool empty() const { return search_.empty(); }
   std::uint32_t slot_count() const { return search_.slot_count(); }  // at most so many pairs

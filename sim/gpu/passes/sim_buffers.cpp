@@ -240,12 +240,7 @@ void SimBuffers::upload_state(const Model& model, const State& state) {
   for (std::size_t i = 0; i < vertex_count; ++i)
     values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
   velocity.upload(0, values.size() * sizeof(vec4), values.data());
-  if (contact_memory) {
-    std::vector<vec4> forces(contact_memory.bytes() / sizeof(vec4));
-    for (std::size_t row = 0; row < std::min(forces.size(), state.contact.size()); ++row)
-      forces[row] = to_vec4(state.contact[row].friction, state.contact[row].normal);
-    contact_memory.upload(0, contact_memory.bytes(), forces.data());
-  }
+  if (contact_memory) upload_contact(state.contact);
   if (!earlier_displacement || state.earlier.step == 0) return;
   for (const auto& [buffer, vectors] : {std::pair(&earlier_displacement, &state.earlier.displacement),
                                         std::pair(&earlier_velocity, &state.earlier.velocity)}) {
@@ -280,6 +275,13 @@ ContactMemory SimBuffers::contact_forces(const gl::Buffer& buffer) const {
   ContactMemory memory;
   for (const vec4& force : buffer.read<vec4>()) memory.push_back({{force.x, force.y, force.z}, force.w});
   return memory;
+}
+
+void SimBuffers::upload_contact(const ContactMemory& memory) {
+  std::vector<vec4> forces(contact_memory.bytes() / sizeof(vec4));
+  for (std::size_t row = 0; row < std::min(forces.size(), memory.size()); ++row)
+    forces[row] = to_vec4(memory[row].friction, memory[row].normal);
+  contact_memory.upload(0, contact_memory.bytes(), forces.data());
 }
 
 std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buffer) const {

@@ -118,6 +118,7 @@ struct SimBuffers {
   /// The xyz of a buffer, vec4 [vertex_count or more], in the model's vertex order. Waits for the GPU.
   std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer) const;
   ContactMemory contact_forces(const gl::Buffer& buffer) const;  // of a copy of contact_memory
+  void upload_contact(const ContactMemory& memory);              // zeros where it has fewer rows
   /// Also updates the masses, which follow density; call after any material change.
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);

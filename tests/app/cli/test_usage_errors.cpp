@@ -32,6 +32,13 @@ std::string said(const Words& arguments, const fs::path& folder = ".") {
 
 }  // namespace
 
+TEST_CASE("an option before a command, which would be ignored, is refused", "[usage]") {
+  CHECK_THAT(said({"--data-dir", "no", "run", "no.json"}),
+             Contains("--data-dir stands before the command run") && Contains("expected it after the command"));
+  CHECK_THAT(said({"--quiet", "info", "no.json"}), Contains("--quiet stands before the command info"));
+  CHECK_THAT(said({"liver.json", "--set", "gravity=[0,0,0]", "check", "no"}), Contains("before the command check"));
+}
+
 TEST_CASE("an unsupported extension for an option is refused before anything is opened", "[usage]") {
   const TemporaryFolder folder;
   // The scene does not exist: a command that opens it first would report that instead.

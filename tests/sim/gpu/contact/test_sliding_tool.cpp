@@ -11,17 +11,22 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cells of 1 cm, held from below; a ball of 2.5 cm is pressed 6 mm deep and slides at `speed` [m/s] for 3 cm.
-Model slab_under_ball(double friction, double speed) {
+// Cells of 1 cm, held from below; a tool whose lowest point is `low` [m] below its middle is pressed 6 mm deep and
+// slides at `speed` [m/s] for 3 cm.
+Model slab_under(const ToolShape& shape, double low, double friction, double speed) {
   Model model = test::cube(0.1, 10, test::soft_tissue(1e5, 0.01));
   for (std::uint32_t v = 0; v < model.rest_positions.size(); ++v)
     if (model.rest_positions[v].y() == 0) model.fixed.push_back(v);
   model.gravity.setZero();
-  model.tools = {test::tool("ball", SphereShape{{0, 0, 0}, 0.025}, friction,
-                            {{0, {0.035, 0.126, 0.05}, {0, 0, 0}},
-                             {0.2, {0.035, 0.119, 0.05}, {0, 0, 0}},
-                             {0.2 + 0.03 / speed, {0.065, 0.119, 0.05}, {0, 0, 0}}})};
+  model.tools = {test::tool("tool", shape, friction,
+                            {{0, {0.035, 0.101 + low, 0.05}, {0, 0, 0}},
+                             {0.2, {0.035, 0.094 + low, 0.05}, {0, 0, 0}},
+                             {0.2 + 0.03 / speed, {0.065, 0.094 + low, 0.05}, {0, 0, 0}}})};
   return model;
+}
+
+Model slab_under_ball(double friction, double speed) {
+  return slab_under(SphereShape{{0, 0, 0}, 0.025}, 0.025, friction, speed);
 }
 
 /// The force along the way over that across it, in the last two thirds of the way. `step` returns the tool's force.
@@ -53,6 +58,20 @@ TEST_CASE("a ball that slides over tissue drags it with mu times its force", "[g
   CAPTURE(friction, speed, smooth, rough);
   CHECK(std::abs(smooth) < 0.05);
   CHECK(rough - smooth == Approx(friction).epsilon(0.06));
+}
+
+// Few points touch them at a time, and bear much for their area.
+TEST_CASE("tools as small as a cell drag tissue with most of mu times their force", "[gpu][contact]") {
+  const int box = GENERATE(0, 1);
+  const double speed = GENERATE(0.1, 0.02), friction = 0.5;
+  const ToolShape shape =
+      box == 1 ? ToolShape(BoxShape{{0, 0, 0}, {0.01, 0.01, 0.01}, 0.002}) : SphereShape{{0, 0, 0}, 0.01};
+  const double smooth = drag_on_gpu(slab_under(shape, 0.01, 0, speed));
+  const double rough = drag_on_gpu(slab_under(shape, 0.01, friction, speed));
+  CAPTURE(box, speed, smooth, rough);
+  CHECK(std::abs(smooth) < 0.1);
+  CHECK(rough - smooth > 0.75 * friction);
+  CHECK(rough - smooth < 1.1 * friction);
 }
 
 TEST_CASE("the drag of a ball that slides over tissue is that of the reference", "[gpu][contact]") {
