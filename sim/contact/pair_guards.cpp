@@ -1,7 +1,8 @@
 // Guards of a step: pairs that keep apart what went through each other in an earlier solution of the step, whatever
-// their normals say. They stay while they press.
+// their normals say. They stay while they press. Where all of them are in vain, bodies are taken back.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/contact/pair_search.h"
 #include "sim/contact/penetration.h"
@@ -142,20 +143,16 @@ bool PairSearch::guard(std::uint32_t e, std::uint32_t triangle) {
                    {guard_of_edge(e), guard_of_edge(other_edge)});
 }
 
-bool PairSearch::misses(const std::vector<Vector3d>& end) {
-  if (empty() || !sees_near()) return false;
+void PairSearch::look_at(const std::vector<Vector3d>& end) {
   std::vector<AlignedBox3d> boxes(triangles_.size());
   for (const std::uint32_t v : vertices_) end_[v] = rest_[v] + end[v];
   for (std::size_t i = 0; i < triangles_.size(); ++i)
     for (const std::uint32_t v : triangles_[i]) boxes[i].extend(end_[v]);
   fit_trees(boxes, {});
-  bool changed = false;
-  raised_.assign(slot_count_, 0);
-  for (const PairRow& row : rows_) {
-    double gap = 0;
-    for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(end_[row.vertices[k]]);
-    if (gap < kLeastGap * skin_ && depth_of(row) > kPressedIn * skin_) changed = press_harder(row);
-  }
+}
+
+template <class F>
+void PairSearch::for_new_cuts(F&& found) const {
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
     const TissueEdge& edge = edges_[e];
     if (!near_[edge.from] && !near_[edge.to]) continue;
@@ -163,11 +160,86 @@ bool PairSearch::misses(const std::vector<Vector3d>& end) {
       if (may_touch(body_of_[edge.from], body))
         for_cuts(e, body, end_, [&](std::uint32_t triangle) {
           const Triangle& t = triangles_[triangle];
-          const bool was = goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]]);
-          if (!was && guard(e, triangle)) changed = true;
+          if (!goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]]))
+            found(e, triangle);
         });
   }
+}
+
+bool PairSearch::misses(const std::vector<Vector3d>& end) {
+  cuts_ = false;
+  if (empty() || !sees_near()) return false;
+  look_at(end);
+  bool changed = false;
+  raised_.assign(slot_count_, 0);
+  for (const PairRow& row : rows_) {
+    double gap = 0;
+    for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(end_[row.vertices[k]]);
+    if (gap < kLeastGap * skin_ && depth_of(row) > kPressedIn * skin_) changed = press_harder(row);
+  }
+  for_new_cuts([&](std::uint32_t e, std::uint32_t triangle) {
+    cuts_ = true;
+    changed |= guard(e, triangle);
+  });
   return changed;
+}
+
+std::optional<std::vector<Vector3d>> PairSearch::taken_back(const std::vector<Vector3d>& start,
+                                                            const std::vector<Vector3d>& end,
+                                                            const std::vector<double>& masses) {
+  constexpr double kLeastShare = 1.0 / 16;
+  if (empty() || !sees_near()) return std::nullopt;
+  struct Group {  // of bodies, by its first one
+    double share = 1, mass = 0;
+    Vector3d moment{0, 0, 0};  // mass times way [kg m]
+    bool held = false, in_vain = false;
+  };
+  std::vector<Group> groups(trees_.size());
+  std::vector<std::uint32_t> leaders(trees_.size());
+  std::iota(leaders.begin(), leaders.end(), 0u);
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    Group& group = groups[body_of_[v]];
+    group.mass += masses[v];
+    group.moment += masses[v] * (end[v] - start[v]);
+    group.held = group.held || held_[v];
+  }
+  const auto leader_of = [&](std::uint32_t body) {
+    while (leaders[body] != body) body = leaders[body];
+    return body;
+  };
+  std::vector<Vector3d> result = end;
+  for (;;) {
+    std::vector<char> cut(groups.size(), 0);
+    look_at(result);
+    for_new_cuts([&](std::uint32_t e, std::uint32_t triangle) {
+      const std::uint32_t a = leader_of(body_of_[edges_[e].from]), b = leader_of(body_of_[triangles_[triangle][0]]);
+      Group &first = groups[std::min(a, b)], &second = groups[std::max(a, b)];
+      if (a != b) {
+        leaders[std::max(a, b)] = std::min(a, b);
+        first = {std::min(first.share, second.share), first.mass + second.mass, first.moment + second.moment,
+                 first.held || second.held, first.in_vain || second.in_vain};
+        if (first.in_vain) first.share = 1;
+        cut[std::max(a, b)] = 0;
+      }
+      cut[std::min(a, b)] = 1;
+    });
+    bool changed = false;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      Group& group = groups[g];
+      if (!cut[g] || group.in_vain) continue;
+      group.in_vain = group.share == 0;  // as where a script moves one body through another
+      group.share = group.in_vain ? 1 : group.share > kLeastShare ? group.share / 2 : 0;
+      changed = true;
+    }
+    if (!changed) return result == end ? std::nullopt : std::optional(result);
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      const Group& group = groups[leader_of(body_of_[v])];
+      result[v] = end[v];
+      if (held_[v] || group.share == 1) continue;
+      const Vector3d together = group.held ? Vector3d(0, 0, 0) : Vector3d(group.moment / group.mass);
+      result[v] = start[v] + group.share * (end[v] - start[v]) + (1 - group.share) * together;
+    }
+  }
 }
 
 // Of a vertex that a guard pressed in the step before: the nearest face, on whichever side the vertex is.

@@ -143,6 +143,7 @@ void PairSearch::fit_trees(const std::vector<AlignedBox3d>& boxes, const std::ve
 
 std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
                                       std::span<const ContactForce> before) {
+  cuts_ = false;
   if (empty()) return {};
   normal_.assign(slot_count_, 0);
   pressed_.assign(slot_count_, 0);

@@ -59,6 +59,14 @@ class PairSearch {
   /// Their forces of the step before (PairRow::before) are raised where they were too weak.
   std::vector<PairRow> find_again();
   static constexpr int kMostSearches = 12;
+  /// Whether something went through in the result that misses() looked at last.
+  bool cuts() const { return cuts_; }
+  /// After the last search: the displacements [vertex_count] [m] of a step from `start` whose solution `end` still
+  /// leads tissue through tissue. The bodies that meet so go only as far of their own ways as nothing goes through, and
+  /// keep their momentum where nothing holds them. Nothing: it does not. `masses` [vertex_count] [kg].
+  std::optional<std::vector<Eigen::Vector3d>> taken_back(const std::vector<Eigen::Vector3d>& start,
+                                                         const std::vector<Eigen::Vector3d>& end,
+                                                         const std::vector<double>& masses);
 
  private:
   static constexpr std::uint32_t kNone = ~0u;
@@ -92,6 +100,10 @@ class PairSearch {
   std::uint32_t guard_of_edge(std::uint32_t edge) const {
     return first_guard_ + static_cast<std::uint32_t>(vertices_.size()) + edge;
   }
+  void look_at(const std::vector<Eigen::Vector3d>& end);
+  /// Calls found(edge, triangle) for what goes through at end_ and did not at start_.
+  template <class F>
+  void for_new_cuts(F&& found) const;
   template <class F>
   void for_cuts(std::uint32_t edge, std::uint32_t body, const std::vector<Eigen::Vector3d>& x, F&& found) const;
   void place();  // what follows from start_ and end_
@@ -149,6 +161,7 @@ class PairSearch {
   std::vector<std::uint32_t> met_;               // [slot] PairRow::met of the step before
   std::vector<double> normal_;                   // [slot] force that pairs start with [N]
   std::vector<PairRow> guards_;
+  bool cuts_ = false;
   std::vector<char> raised_;  // [slot] since the last search
   std::vector<PairRow> rows_;
   std::vector<Candidate> crossings_;   // of edges

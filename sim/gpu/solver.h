@@ -56,6 +56,7 @@ class GpuSolver {
   std::vector<Eigen::Vector3d> contact_forces() const { return contact_.forces_at_vertices(); }
   /// [ms] that the CPU has looked for tissue that touches tissue, in all steps so far.
   double pair_search_ms() const { return contact_.search_ms(); }
+  long taken_back() const { return contact_.taken_back(); }
   void set_color(ColorBy color);
   ColorBy color() const { return color_; }
   /// The values of the heat maps of ColorBy::error [m] and mesh_error: float [vertex_count]. Zero at first.

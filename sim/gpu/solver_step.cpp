@@ -131,13 +131,15 @@ void GpuSolver::iterate_all() {
 void GpuSolver::solve_stage(const IntegratorStage& stage) {
   begin_stage(stage);
   iterate_all();
-  for (int searches = 1; searches < PairSearch::kMostSearches && contact_.search_again(buffers_); ++searches) {
+  int searches = 1;
+  for (; searches < PairSearch::kMostSearches && contact_.search_again(buffers_); ++searches) {
     if (const FusedStep* fused = fused_step())
       fused->again.run();
     else
       run(kind_->passes.again);
     iterate_all();
   }
+  if (searches == PairSearch::kMostSearches || contact_.cuts()) contact_.take_back(buffers_);
   end_stage();
 }
 

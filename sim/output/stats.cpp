@@ -37,6 +37,7 @@ Json tissue_contact(const Model& model, const RunStats& stats, const State& last
                        {"deepest_m", load.deepest}});
   return {{"skin_m", PairSearch(model).skin()},
           {"between", between},
+          {"steps_taken_back", stats.taken_back},
           {"search_ms_per_step", stats.steps > 0 ? stats.pair_search_ms / static_cast<double>(stats.steps) : 0},
           {"penetrating_triangles", penetrating_triangles(model, last.displacement)}};
 }
@@ -100,6 +101,7 @@ void count_work(RunStats& stats, Simulation& simulation) {
   stats.gpu_bytes = gl::allocated_bytes();
   stats.gpu_buffers = gl::bytes_by_buffer();
   stats.pair_search_ms = simulation.gpu()->pair_search_ms();
+  stats.taken_back = simulation.gpu()->taken_back();
 }
 
 void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,

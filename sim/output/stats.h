@@ -33,6 +33,7 @@ struct RunStats {
   std::optional<double> imbalance;        // of the forces in the last step of the GPU (Diagnostics::imbalance)
   std::vector<ToolLoad> tool_loads;       // of the last step, [tool of the model]
   std::vector<PairLoad> pair_loads;       // of the last step, of tissue on tissue
+  long taken_back = 0;                    // steps whose result would have led tissue through tissue
   double pair_search_ms = 0;              // that the CPU looked for tissue that touches tissue, in all steps
   std::optional<PeakStress> recovered;    // of the last state; only on request
   std::optional<double> error;            // of the last step, as in StepError; only on request

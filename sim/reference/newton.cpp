@@ -213,13 +213,16 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   const HeldPath path(model, old, state.time, state.time + stage.duration);
   NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
-  for (int again = 0; again < PairSearch::kMostSearches && pairs.misses(vectors_of(u)); ++again) {
+  int again = 0;
+  for (; again < PairSearch::kMostSearches && pairs.misses(vectors_of(u)); ++again) {
     potential.contact = contact_again(old, penalty, motion, aim, state.contact);
     const NewtonReport more = minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u);
     report.iterations += more.iterations;
     report.relative_residual = more.relative_residual;
     report.converged = more.converged;
   }
+  if (again == PairSearch::kMostSearches || pairs.cuts())
+    if (const auto back = pairs.taken_back(state.displacement, vectors_of(u), lumped_masses(model))) u = flat(*back);
   state.earlier.displacement = std::exchange(state.displacement, vectors_of(u));
   state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
   state.time += stage.duration;

@@ -35,6 +35,10 @@ class ContactTerm : public EnergyTerm {
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers);
+  /// After the last search of a stage, which need not have found a way around all that meets; before its end.
+  void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
+  bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
+  long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
   double search_ms() const { return pairs_.search_ms(); }  // for pairs, so far
 

@@ -51,6 +51,15 @@ bool PairStage::search_again(SimBuffers& buffers, std::uint32_t first_row) {
   return true;
 }
 
+void PairStage::take_back(SimBuffers& buffers) {
+  if (empty() || !search_.sees_near()) return;
+  end_ = buffers.download_vectors(buffers.displacement);
+  const auto back = timed([&] { return search_.taken_back(start_, end_, lumped_masses(model_)); });
+  if (!back) return;
+  buffers.upload_displacements(*back);
+  ++taken_back_;
+}
+
 void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
   before_.resize(row_count());
   buffers.contact_memory.download(sizeof(vec4) * first_row, sizeof(vec4) * row_count(), before_.data());

@@ -23,6 +23,11 @@ class PairStage {
   /// If the iterations led tissue through tissue, finds the pairs that are met on the way to their result. Waits for
   /// the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers, std::uint32_t first_row);
+  /// After the last search: if the result still leads tissue through tissue, takes the bodies that meet so back. Waits
+  /// for the GPU where tissue is near tissue.
+  void take_back(SimBuffers& buffers);
+  bool cuts() const { return search_.cuts(); }
+  long taken_back() const { return taken_back_; }  // in how many stages so far
 
   const std::vector<PairRow>& rows() const { return rows_; }
   double search_ms() const { return search_ms_; }  // that all searches so far took, without waiting for the GPU
@@ -48,6 +53,7 @@ class PairStage {
   const Model& model_;  // its materials may change
   PairSearch search_;
   double search_ms_ = 0, duration_ = 0;
+  long taken_back_ = 0;
   std::vector<PairRow> rows_;
   std::vector<shared::vec4> before_;  // [row] that the step before left: of forces xyz friction, w the normal one [N]
   std::vector<char> falls_;           // [vertex] in unconstrained parts

@@ -226,16 +226,19 @@ void SimBuffers::set_phantom_count(std::uint32_t count) {
   displacement = std::move(wider);
 }
 
-void SimBuffers::upload_state(const Model& model, const State& state) {
+void SimBuffers::upload_displacements(const std::vector<Eigen::Vector3d>& u) {
   std::vector<vec4> values(vertex_count);
-  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(state.displacement[placement.vertex[i]], 0);
+  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(u[placement.vertex[i]], 0);
   displacement.upload(0, values.size() * sizeof(vec4), values.data());
-  if (displacement_low) {
-    for (std::size_t i = 0; i < vertex_count; ++i)
-      values[i] =
-          to_vec4(state.displacement[placement.vertex[i]] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
-    displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
-  }
+  if (!displacement_low) return;
+  for (std::size_t i = 0; i < vertex_count; ++i)
+    values[i] = to_vec4(u[placement.vertex[i]] - Eigen::Vector3d(values[i].x, values[i].y, values[i].z), 0);
+  displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
+}
+
+void SimBuffers::upload_state(const Model& model, const State& state) {
+  upload_displacements(state.displacement);
+  std::vector<vec4> values(vertex_count);
   const std::vector<char> held = model.held();
   for (std::size_t i = 0; i < vertex_count; ++i)
     values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);

@@ -113,6 +113,7 @@ struct SimBuffers {
   }
 
   void upload_state(const Model& model, const State& state);
+  void upload_displacements(const std::vector<Eigen::Vector3d>& u);  // [vertex of the model] [m]
   /// `earlier_step`: State::Earlier::step; 0: the earlier state is left out.
   State download_state(double time, double earlier_step = 0) const;
   /// The xyz of a buffer, vec4 [vertex_count or more], in the model's vertex order. Waits for the GPU.

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/contact/penetration.h"
 #include "tests/sim/reference/box_model.h"
 #include "tests/support/touching_bodies.h"
 
@@ -145,6 +146,48 @@ TEST_CASE("what a solution leads through each other is guarded until it no longe
   CHECK(raised > 0);  // pairs that were pressed in press harder
   end = nowhere(model);
   CHECK_FALSE(search.misses(end));
+}
+
+// A solution that no search has mended: the upper box sinks in by 7 mm, and both move sideways.
+TEST_CASE("bodies that a solution leaves in each other are taken back, with their momentum", "[contact]") {
+  Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.003, 0.01}), "upper");
+  const std::vector<double> masses = lumped_masses(model);
+  const auto moved = [&](const Vector3d& lower, const Vector3d& upper) {
+    std::vector<Vector3d> end(model.rest_positions.size(), lower);
+    for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v) end[v] = upper;
+    return end;
+  };
+  const auto moment = [&](const std::vector<Vector3d>& way) {
+    Vector3d sum(0, 0, 0);
+    for (std::size_t v = 0; v < way.size(); ++v) sum += masses[v] * way[v];
+    return sum;
+  };
+  const std::vector<Vector3d> start = nowhere(model), apart = moved({0.01, 0, 0}, {0.01, 0.01, 0}),
+                              through = moved({0.01, 0, 0}, {0.03, -0.01, 0});
+  PairSearch search(model);
+  found(search, model, {0, 0, 0});
+  REQUIRE(search.misses(through));
+  CHECK(search.cuts());
+  CHECK_FALSE(search.taken_back(start, apart, masses));
+  const auto back = search.taken_back(start, through, masses);
+  REQUIRE(back);
+  CHECK_FALSE(penetrating_triangles(model, *back));
+  CHECK((moment(*back) - moment(through)).norm() < 1e-12 * moment(through).norm());
+  const Vector3d against = back->back() - back->front();  // a quarter of 10 mm is less than the gap of 3 mm
+  CHECK((against - 0.25 * Vector3d(0.02, -0.01, 0)).norm() < 1e-12);
+
+  for (std::uint32_t v = 0; v < model.bodies[1].vertex_begin; ++v) model.fixed.push_back(v);
+  PairSearch held(model);
+  found(held, model, {0, 0, 0});
+  const auto stopped = held.taken_back(start, moved({0, 0, 0}, {0.03, -0.01, 0}), masses);
+  REQUIRE(stopped);
+  CHECK(stopped->front().norm() == 0);
+  CHECK((stopped->back() - 0.25 * Vector3d(0.03, -0.01, 0)).norm() < 1e-12);
+
+  // A script moves the lower box up by 10 mm, which no way of the upper one makes up for.
+  PairSearch scripted(model);
+  found(scripted, model, {0, 0, 0});
+  CHECK_FALSE(scripted.taken_back(start, moved({0, 0.01, 0}, {0, 0, 0}), masses));
 }
 
 // The same pairs, in whatever order their distances are now.
