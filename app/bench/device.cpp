@@ -1,15 +1,12 @@
 #include "app/bench/device.h"
 
-#include <chrono>
-
+#include "app/bench/dispatch.h"
 #include "app/bench/timing.h"
-#include "gl/compute_pass.h"
 
 namespace fascia {
 namespace {
 
 constexpr int kRepetitions = 9;
-constexpr int kDispatches = 200;  // in a row
 
 double median_of(const std::function<double()>& measure) {
   std::vector<double> values;
@@ -29,20 +26,10 @@ DeviceSpeed measure_device(gl::ProgramCache& programs, std::size_t bytes) {
     const double ms = median_of([&] { return milliseconds_of([&] { to.copy(from, bytes); }); });
     speed.copy_gigabytes_per_s = 2e-6 * static_cast<double>(bytes) / ms;
   }
+  const DispatchChain::Times chain = DispatchChain(programs, 1, 1).measure(DispatchChain::Form::chain, kRepetitions);
+  speed.dispatch_us = chain.wall.median;
+  speed.dispatch_submit_us = chain.submit.median;
   const gl::Buffer filled("filled", 4 * sizeof(std::uint32_t));
-  const gl::ComputePass pass(programs.compute("common/fill.comp"), {{"filled", &filled}}, 1,
-                             {{"word_0", 0}, {"word_1", 0}, {"word_2", 0}, {"word_3", 0}});
-  std::vector<double> submitted;
-  speed.dispatch_us = median_of([&] {
-    return 1e3 / kDispatches * milliseconds_of([&] {
-             const auto start = std::chrono::steady_clock::now();
-             for (int i = 0; i < kDispatches; ++i) pass.run();
-             submitted.push_back(
-                 std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count() /
-                 kDispatches);
-           });
-  });
-  speed.dispatch_submit_us = spread_of(std::move(submitted)).median;
   speed.read_us = median_of([&] {
     return 1e3 * milliseconds_of([&] {
              std::uint32_t word = 0;

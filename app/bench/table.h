@@ -27,6 +27,8 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
+/// The columns and rows for readers, in columns of equal width.
+std::string aligned(const Table& table);
 /// Writes through a temporary name. Throws Error.
 void write_table(const std::filesystem::path& path, const Table& table);
 

@@ -1,6 +1,7 @@
 // fascia bench figures: measures and draws the four figures of the I3D 2019 paper, and the cost of colorings.
 // fascia bench accuracy: error against iterations and time, of every method and acceleration, and against the
 // continuum. fascia bench speed, static and skip: the cost of steps, of equilibria, and of features that are off.
+// fascia bench dispatch: the cost of a dispatch.
 // fascia bench contact: the cost of contact, and the iterations that it takes.
 // fascia bench window: how the window feels.
 // fascia bench fill and elements: the quality of tets that fill surfaces, linear or quadratic ones.
@@ -15,6 +16,7 @@
 #include "app/bench/accuracy/continuum.h"
 #include "app/bench/bench.h"
 #include "app/bench/contact.h"
+#include "app/bench/dispatch.h"
 #include "app/bench/fill/fill.h"
 #include "app/bench/fill/filled_elements.h"
 #include "app/bench/skip.h"
@@ -241,6 +243,19 @@ void add_static(CLI::App& bench, Invocation& invocation) {
   command.callback([&invocation, options] { invocation.run = [options] { return run_static(*options); }; });
 }
 
+void add_dispatch(CLI::App& bench, Invocation& invocation) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App& command = *bench.add_subcommand(
+      "dispatch", "what a dispatch costs that waits for the one before it, over its work and its buffers");
+  command.add_option("--out", options->out, "folder for the table, made if missing")->type_name("DIR")->required();
+  command.add_flag("--quick", options->quick, "short chains, few repetitions");
+  add_graphics(command, *options);
+  add_examples(command, {"fascia bench dispatch --out dispatch"}, "a chain counted wrong");
+  command.callback([&invocation, options] {
+    invocation.run = [options] { return run_bench(*options, "dispatch", bench_dispatch); };
+  });
+}
+
 void add_contact(CLI::App& bench, Invocation& invocation) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App& command = *bench.add_subcommand(
@@ -304,6 +319,7 @@ void add_bench(CLI::App& program, Invocation& invocation) {
   add_accuracy(bench, invocation);
   add_speed(bench, invocation);
   add_static(bench, invocation);
+  add_dispatch(bench, invocation);
   add_skip(bench, invocation);
   add_contact(bench, invocation);
   add_window(bench, invocation);

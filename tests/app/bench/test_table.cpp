@@ -33,3 +33,10 @@ TEST_CASE("a table has its notes, the names of its columns and its rows") {
   CHECK(read_file(folder / "t.csv") == "# made here\n# twice\nname,tets,time_ms\nsmall,12,0.25\nnone,0,\n");
   CHECK_THROWS_AS(write_table(folder / "none/t.csv", table), Error);
 }
+
+TEST_CASE("a table for readers has columns of equal width") {
+  Table table;
+  table.columns = {"name", "time"};
+  table.rows = {{"small", 0.25}, {"none", {}}};
+  CHECK(aligned(table) == " name  time\nsmall  0.25\n none      \n");
+}

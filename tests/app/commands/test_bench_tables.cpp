@@ -1,5 +1,5 @@
 // Benchmarks whose quick form takes seconds: their tables are complete.
-// Covers: bench, app/bench/contact, app/bench/contact_probe, app/bench/static_times
+// Covers: bench, app/bench/contact, app/bench/contact_probe, app/bench/dispatch, app/bench/static_times
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
@@ -55,4 +55,22 @@ TEST_CASE("bench contact has the cost of every tool, none far away, and iteratio
   std::sscanf(probe.c_str() + probe.find("\n20 iterations,"), "\n20 iterations,12,%lf", &errors[1]);
   CHECK(errors[0] < 0.2);  // in the few steps after the first touch
   CHECK(errors[1] == Approx(errors[0]).epsilon(0.01));
+}
+
+TEST_CASE("bench dispatch has a row for each size of work and number of buffers, whose chains count to their length") {
+  for (const char* loads : {"ssbo", "texel"}) {
+    const TemporaryFolder folder;
+    const CommandResult result =
+        run_fascia({"bench", "dispatch", "--quick", "--loads", loads, "--out", "out"}, folder.path());
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    const std::string table = read_file(folder / "out/dispatch.csv");
+    INFO(table);
+    for (const char* work_items : {"1", "64", "1024", "16384"})
+      for (const char* buffers : {"1", "4", "8", "14"}) {
+        const std::string start = std::string("\n") + work_items + ',' + buffers + ",20,20,";
+        CHECK_THAT(table, Catch::Contains(start));
+        CHECK(std::count(result.out.begin(), result.out.end(), '\n') == 18);
+      }
+  }
 }
