@@ -3,7 +3,7 @@
 // only the listed pairs count. Lists: sim/gpu/passes/force_clusters.h.
 INPUT_UINT(Clusters, clusters)        // [clusters] where the list of each begins: the number n of its vertices; n times
                                       // the slot and first + 65536 * number of the vertex's corners among the following;
-                                      // all corners, 64 * corner + pair, two in each number
+                                      // all corners, 64 * corner + pair, three in each number
 OUTPUT(vec4, Correction, correction)  // [slots]
 uniform uint pair_and_single_count;
 #define CORNERS (5 * GROUP_SIZE)
@@ -41,7 +41,7 @@ void store_cluster(uint cluster, uint lane) {
     uint slot = FETCH1(clusters, list + 1u + 2u * v), range = FETCH1(clusters, list + 2u + 2u * v);
     vec4 sum = vec4(0.0);
     for (uint k = range & 0xffffu, end = k + (range >> 16u); k < end; ++k) {
-      uint at = FETCH1(clusters, corners + k / 2u) >> 16u * (k % 2u) & 0xffffu;
+      uint at = FETCH1(clusters, corners + k / 3u) >> 10u * (k % 3u) & 0x3ffu;
       sum += vec4(corner_x[at], corner_y[at], corner_z[at], at < uint(GROUP_SIZE) ? pair_energy[at] : 0.0);
     }
     correction[slot] = sum;

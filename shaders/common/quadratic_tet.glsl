@@ -10,6 +10,14 @@ uniform uint first_quadratic;  // the number of linear tets
 #define FIRST_QUADRATIC 0u
 #endif
 
+// Where previous_strain has the strain of a point, behind those of linear tets (sim/elasticity/feature_damping.glsl).
+#if READ_TEXELS
+#define FIRST_OF_POINTS (2u * FIRST_QUADRATIC)
+#else
+#define FIRST_OF_POINTS (3u * ((FIRST_QUADRATIC + 1u) / 2u))
+#endif
+uint strain_of_point(uint e, int q) { return FIRST_OF_POINTS + 8u * e + 2u * uint(q); }
+
 // Barycentric coordinates of a point: of the corner nearest to it, and of the others.
 #define POINT_NEAR 0.58541019662
 #define POINT_FAR 0.13819660113

@@ -11,9 +11,7 @@ void GpuSolver::record() {
   buffers_.keep_earlier(extrapolates);
   if (!features_.damping) previous_strain_ = {};
   if (features_.damping && !previous_strain_)
-    previous_strain_ =
-        gl::Buffer("previous_strain",
-                   2 * sizeof(shared::vec4) * (buffers_.linear_count() + std::size_t{4} * buffers_.quadratic_count));
+    previous_strain_ = gl::Buffer("previous_strain", bytes_of_previous_strain(programs_, buffers_));
   const bool may_rest = method_->may_rest_in_regions() && !stop_ && settings_.rest_speed > 0 &&
                         !buffers_.displacement_low && !contact_.searches() &&
                         buffers_.work() >= RestingRegions::kLeastTets && !always_whole_;

@@ -60,8 +60,6 @@ float mean_dilatation(PointGradients h, vec4 material) {
 }
 
 #if DAMPING
-uint strain_of_point(uint e, int q) { return FIRST_QUADRATIC + 4u * e + uint(q); }
-
 struct Viscosity {
   float over_h;  // damping / h, faded
   float bulk;    // what multiplies the mean of tr(E - E*) [Pa]
@@ -69,7 +67,7 @@ struct Viscosity {
 };
 
 Sym3 strain_since_start(uint e, int q, mat3 h) {
-  Sym3 strain = green_strain(h), before = previous_strain_of(strain_of_point(e, q));
+  Sym3 strain = green_strain(h), before = previous_strain_at(strain_of_point(e, q));
   return Sym3(strain.d - before.d, strain.s - before.s);
 }
 
@@ -77,7 +75,7 @@ Viscosity viscosity_of(uint e, PointGradients h, vec4 material) {
   Sym3 before = Sym3(vec3(0.0), vec3(0.0));
   float mean = 0.0;
   for (int q = 0; q < 4; ++q) {
-    before.d += 0.25 * previous_strain_of(strain_of_point(e, q)).d;
+    before.d += 0.25 * previous_strain_at(strain_of_point(e, q)).d;
     vec3 change = strain_since_start(e, q, h.at[q]).d;
     mean += 0.25 * (change.x + change.y + change.z);
   }

@@ -23,7 +23,7 @@ void main() {
     Sym3 earlier = green_strain(before.at[q]);
     strain = Sym3(strain.d + EXTRAPOLATION * (strain.d - earlier.d), strain.s + EXTRAPOLATION * (strain.s - earlier.s));
 #endif
-    uint at = 2u * (FIRST_QUADRATIC + 4u * e + uint(q));
+    uint at = strain_of_point(e, q);
     STORE3(previous_strain[at], strain.d)
     STORE3(previous_strain[at + 1u], strain.s)
   }

@@ -50,7 +50,7 @@ Sym3 quadratic_block(uint v) {
 #endif
 #if DAMPING
     Sym3 before = Sym3(vec3(0.0), vec3(0.0));
-    for (int q = 0; q < 4; ++q) before.d += 0.25 * previous_strain_of(strain_of_point(e, q)).d;
+    for (int q = 0; q < 4; ++q) before.d += 0.25 * previous_strain_at(strain_of_point(e, q)).d;
     float damping = damping_over_h(before, material);
     // The viscous stiffness is that of the Green strain, of pointwise lambda 0, with its own averaged part.
     Tangent viscous = Tangent(mat3(1.0) + at.h, Sym3(vec3(0.0), vec3(0.0)), damping);

@@ -9,12 +9,26 @@ INPUT_VEC4(PreviousDisplacement, previous_displacement)  // [vertex_count] u_n [
 #include "common/step.glsl"
 INPUT_VEC4(EarlierDisplacement, earlier_displacement)  // [vertex_count] [m]
 #endif
-OUTPUT(vec4, PreviousStrain, previous_strain)            // [2 * tet_count]
+// As sim/elasticity/feature_damping.glsl reads it.
+#if READ_TEXELS
+OUTPUT(vec4, PreviousStrain, previous_strain)
 
 void store(uint t, Sym3 e) {
   STORE3(previous_strain[2u * t], e.d)
   STORE3(previous_strain[2u * t + 1u], e.s)
 }
+#else
+OUTPUT(float, PreviousStrain, previous_strain)
+
+void store(uint t, Sym3 e) {
+  previous_strain[6u * t] = e.d.x;
+  previous_strain[6u * t + 1u] = e.d.y;
+  previous_strain[6u * t + 2u] = e.d.z;
+  previous_strain[6u * t + 3u] = e.s.x;
+  previous_strain[6u * t + 4u] = e.s.y;
+  previous_strain[6u * t + 5u] = e.s.z;
+}
+#endif
 
 #ifdef EXTRAPOLATES
 Sym3 extrapolated(Sym3 now, Sym3 earlier) {

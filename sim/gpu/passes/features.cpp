@@ -90,6 +90,12 @@ gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const
   return bindings;
 }
 
+std::size_t bytes_of_previous_strain(const gl::ProgramCache& programs, const SimBuffers& buffers) {
+  const std::size_t linear = buffers.linear_count(), of_points = std::size_t{8} * buffers.quadratic_count;
+  const bool packed = programs.load_path() == gl::LoadPath::storage;
+  return sizeof(shared::vec4) * ((packed ? 3 * ((linear + 1) / 2) : 2 * linear) + of_points);
+}
+
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers) {
   bindings.insert(bindings.end(), {{"tet_vertices", &buffers.tet_vertices},
                                    {"tet_shape", &buffers.tet_shape},

@@ -25,6 +25,9 @@ gl::ComputePass::Bindings with_material(gl::ComputePass::Bindings bindings, cons
 gl::ComputePass::Bindings with_damping(gl::ComputePass::Bindings bindings, const Features& features,
                                        const gl::Buffer& previous_strain);
 
+/// Of the strains that damping remembers, as shaders/sim/elasticity/feature_damping.glsl reads them.
+std::size_t bytes_of_previous_strain(const gl::ProgramCache& programs, const SimBuffers& buffers);
+
 /// Adds the buffers of kernels that process pairs of linear tets (shaders/common/tet_pair.glsl).
 gl::ComputePass::Bindings with_pairs(gl::ComputePass::Bindings bindings, const SimBuffers& buffers);
 gl::ComputePass::Constants constants_of_pairs(const SimBuffers& buffers);

@@ -62,8 +62,10 @@ ForceClusters::ForceClusters(const SimBuffers& buffers) : pairs_(buffers.pair_an
       ++lists[lists[c]];
       lists.insert(lists.end(), {next[vertex]++, first | (end - first) << 16});
     });
-    for (std::size_t k = 0; k < corners.size(); k += 2)
-      lists.push_back(corners[k].entry | (k + 1 < corners.size() ? corners[k + 1].entry << 16 : 0));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (k % 3 == 0) lists.push_back(0);
+      lists.back() |= corners[k].entry << 10 * (k % 3);
+    }
   }
   if (lists.empty()) lists.push_back(0);
   lists_ = gl::Buffer("clusters", lists);

@@ -64,7 +64,7 @@ TEST_CASE("tet corrections and multipliers equal the double-precision block solv
   const State state = random_state(model, amplitude, 3);
   buffers.upload_state(model, state);
   const Features features = features_of(model);
-  gl::Buffer previous_strain("previous_strain", 2 * sizeof(vec4) * buffers.tet_count);
+  gl::Buffer previous_strain("previous_strain", bytes_of_previous_strain(gpu.programs, buffers));
   const JacobiMethod method(buffers, split);
   const EnergyTerms no_terms{};
   // predict stores the inverse masses with the displacements and moves the vertices; the comparison starts from its

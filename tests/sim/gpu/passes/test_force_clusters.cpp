@@ -43,7 +43,7 @@ TEST_CASE("every corner of a cluster is in one slot, which is its vertex's", "[g
       const std::uint32_t slot = lists[list + 1 + 2 * v], range = lists[list + 2 + 2 * v];
       ++used[slot];
       for (std::uint32_t k = range & 0xffff; k < (range & 0xffff) + (range >> 16); ++k) {
-        const std::uint32_t entry = (lists[entries + k / 2] >> (16 * (k % 2))) & 0xffff;
+        const std::uint32_t entry = (lists[entries + k / 3] >> (10 * (k % 3))) & 0x3ff;
         CHECK(met.insert(entry).second);
         const std::uint32_t corner = entry / kOfCluster, pair = kOfCluster * c + entry % kOfCluster;
         REQUIRE(pair < pairs);
