@@ -109,7 +109,7 @@ struct Composition {
   const Program& program(ProgramCache& programs, const std::vector<FusedLoop>& loops) const {
     return programs.fused(label(loops), [lines = declarations.lines(), kernels = kernels, loops, step = step != nullptr,
                                          declared = declarations.declared()](const std::filesystem::path& folder) {
-      Defines defines{{"READ_TEXELS", "1"}, {"TEXELS_IN_ORDER", "1"}};
+      Defines defines{{"READ_TEXELS", "1"}, {"TEXELS_IN_ORDER", "1"}, {"SUMS_IN_GROUPS", "0"}};
       for (const auto& [name, value] :
            {std::pair("GROUP_SIZE", group_size()), std::pair("KERNEL_SHIFT", kKernelShift),
             std::pair("NO_KERNEL", kNoKernel), std::pair("FIRST_COUNTER", kFirstCounter),
@@ -236,7 +236,8 @@ struct Schedule {
 using namespace fused;
 
 bool fuses(const ProgramCache& programs) {
-  return programs.fusing() && programs.load_path() == LoadPath::texel && device().vector_width > 0;
+  return programs.fusing() && programs.load_path() == LoadPath::texel && !programs.sums_in_groups() &&
+         device().vector_width > 0;
 }
 
 class FusedPasses::Dispatch {

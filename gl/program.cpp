@@ -109,8 +109,12 @@ void Program::set_matrix(const char* name, const float* column_major_4x4) const 
   ProgramUniformMatrix4fv(id_, location(name), 1, GL_FALSE, column_major_4x4);
 }
 
+ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path, Sums sums)
+    : folder_(std::move(folder)), load_path_(load_path), sums_(sums) {}
+
 ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path)
-    : folder_(std::move(folder)), load_path_(load_path) {}
+    : ProgramCache(std::move(folder), load_path,
+                   load_path == LoadPath::texel && device().software ? Sums::in_invocations : Sums::in_groups) {}
 
 // A program that is in use outlives its deletion. NVIDIA's driver (580) then lets draws with later programs get lost.
 ProgramCache::~ProgramCache() {
@@ -143,6 +147,7 @@ const Program& ProgramCache::get(const std::string& name, const std::vector<std:
   entry.program->file_ = name;
   entry.program->defines_ = defines;
   defines.emplace_back("READ_TEXELS", load_path_ == LoadPath::texel ? "1" : "0");
+  defines.emplace_back("SUMS_IN_GROUPS", sums_in_groups() ? "1" : "0");
   defines.emplace_back("TEXELS_IN_ORDER", device().vector_width > 0 ? "1" : "0");
   for (const auto& [stage, file] : stages)
     entry.stages.emplace_back(stage, [this, file = file, defines] { return read_shader(folder_, file, defines); });

@@ -20,6 +20,10 @@ constexpr int kMostStorageBlocks = 14;  // limit for the blocks that a kernel re
 /// with fewer blocks per kernel than kernels use: OpenGL 4.3 guarantees eight. Needs a current context.
 LoadPath fitting_load_path();
 
+/// Who adds the terms of sums. The groups of GPUs do so in their shared memory, which costs software renderers 20 times
+/// as much as an invocation that adds on its own. The two orders differ in rounding.
+enum class Sums { in_groups, in_invocations };
+
 class ProgramCache;
 
 class Program {
@@ -78,12 +82,15 @@ class Program {
 class ProgramCache {
  public:
   /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1
-  /// on llvmpipe, where the fetches and stores of an invocation run in program order.
+  /// on llvmpipe, where the fetches and stores of an invocation run in program order. `sums` becomes SUMS_IN_GROUPS.
+  ProgramCache(std::filesystem::path folder, LoadPath load_path, Sums sums);
+  /// With the sums that suit the device.
   ProgramCache(std::filesystem::path folder, LoadPath load_path);
   ~ProgramCache();
   ProgramCache(const ProgramCache&) = delete;
   ProgramCache& operator=(const ProgramCache&) = delete;
   LoadPath load_path() const { return load_path_; }
+  bool sums_in_groups() const { return sums_ == Sums::in_groups; }
   /// Whether callers that record many passes should fuse them (fused_pass.h): compiling then takes two to three times
   /// as long. Initially off. `rare`: also passes that are not part of every step.
   void set_fusing(bool on, bool rare = true) {
@@ -147,6 +154,7 @@ class ProgramCache {
 
   std::filesystem::path folder_;
   LoadPath load_path_;
+  Sums sums_;
   bool fusing_ = false, fusing_rare_ = false;
   int postponed_ = 0;
   std::function<void()> tell_first_run_;

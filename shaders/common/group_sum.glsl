@@ -1,7 +1,7 @@
 // Sums for kernels with few items and a long sum for each. On GPUs a work group shares an item: each of its LANES
 // invocations adds every LANES-th term, and the first one continues with the sum. On software renderers, where shared
 // memory costs 20 times more, one invocation adds all terms.
-#if READ_TEXELS
+#if !SUMS_IN_GROUPS
 #define LANES 1u
 #define SHARED_ITEM_OR_RETURN(i, lane) ITEM_OR_RETURN(i) const uint lane = 0u;
 #define SUM_OVER_LANES(sum, lane)

@@ -103,7 +103,7 @@ INPUT_UINT(DeferredItems, deferred_items)  // the same
 // consecutive lanes process consecutive items. On software renderers, whose vectors hold eight invocations, each vector
 // has a contiguous stretch, since neighboring items share their inputs.
 #define LANE_OR_RETURN(i) uint i = INVOCATION; if (i >= invocations) return;
-#if READ_TEXELS
+#if !SUMS_IN_GROUPS
 #define FOR_ITEMS_OF_LANE(k, i, lanes, count)                                                                  \
   for (uint stretch = 8u * (((count) + (lanes) - 1u) / (lanes)), k = (i) / 8u * stretch + (i) % 8u,            \
             end_of_stretch = min(count, ((i) / 8u + 1u) * stretch);                                            \

@@ -4,7 +4,7 @@
 //   REDUCE_TREE 0 (software renderers, where shared memory costs 20 times more): one partial sum per lane.
 // The number of lanes is a multiple of GROUP_SIZE. The kernel that uses the sum adds the partials. Partials that follow
 // n others are stored at i + n * PARTIAL_STRIDE.
-#define REDUCE_TREE (1 - READ_TEXELS)
+#define REDUCE_TREE SUMS_IN_GROUPS
 
 #if REDUCE_TREE
 shared vec4 lane_sums[GROUP_SIZE];

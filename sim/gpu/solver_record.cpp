@@ -19,7 +19,7 @@ void GpuSolver::record() {
   if (may_rest && !regions_) regions_.emplace(programs_, buffers_);
   fuses_ = !stop_ && gl::fuses(programs_);
   // A GPU skips a branch that no neighboring invocation takes; a second dispatch and its copies would only add cost.
-  const bool branches_skip = programs_.load_path() == gl::LoadPath::storage;
+  const bool branches_skip = programs_.sums_in_groups();
   const Deferral most_deferred = method_->most_deferred(buffers_, fuses_);
   const bool may_defer =
       features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;

@@ -2,10 +2,15 @@
 // the first one adds the slices. The order is the same in every kernel that includes this file, so that the objective
 // of one state always has the same bits: a difference of two orders would be mistaken for a step uphill. For kernels
 // that have declared `dot_partials`.
-#if READ_TEXELS
-#define SLICES 2u  // four sums fill one vector of eight invocations on software renderers
-#else
+#if SUMS_IN_GROUPS
 #define SLICES 16u
+#else
+#define SLICES 2u  // four sums fill one vector of eight invocations on software renderers
+#endif
+#ifdef LAST_GROUP  // of the dispatch that stores them
+#define DOT_PARTIAL(k) dot_partials[k]
+#else
+#define DOT_PARTIAL(k) FETCH(dot_partials, k)
 #endif
 #define MOST_ROWS 4u
 shared vec4 slices[MOST_ROWS * SLICES];
@@ -14,7 +19,7 @@ shared vec4 slices[MOST_ROWS * SLICES];
 void sum_slice(uint slice, uint rows, uint first, uint count) {
   precise vec4 sum = vec4(0.0), lost = vec4(0.0);
   for (uint k = slice / rows; k < count; k += SLICES) {
-    precise vec4 term = FETCH(dot_partials, first + k) - lost, next = sum + term;
+    precise vec4 term = DOT_PARTIAL(first + k) - lost, next = sum + term;
     lost = (next - sum) - term;
     sum = next;
   }

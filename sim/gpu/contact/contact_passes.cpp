@@ -177,7 +177,7 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
 EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   Passes passes;
   if (!pairs_.empty()) {
-    const std::uint32_t lanes = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
+    const std::uint32_t lanes = programs.sums_in_groups() ? Reduction::kGroup : 1;
     passes
         .emplace_back(
             programs.compute("sim/contact/contact_momentum.comp"),

@@ -53,7 +53,7 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
                        std::bit_cast<std::uint32_t>(c.z()), gather.vertex[k]});
   }
   const std::uint32_t n = space_.node_count;
-  lanes_ = programs.load_path() == gl::LoadPath::storage ? Reduction::kGroup : 1;
+  lanes_ = programs.sums_in_groups() ? Reduction::kGroup : 1;
   row_octets_ = (3 * n + 7) / 8;
   gather_entry_ = gl::Buffer("gather_entry", entries);
   const CoarseTranspose transposed = transpose(space_);

@@ -23,7 +23,7 @@ TwoLevelMethod::TwoLevelMethod(const gl::ProgramCache& programs, const Model& mo
       previous_gradient_("previous_gradient", gradient_.gradient().bytes()),
       partials_("subspace_partials", sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + quadratic_.partials)),
       state_("subspace_state", kSubspaceFloats * sizeof(float)) {
-  if (programs.load_path() == gl::LoadPath::storage) arrivals_ = gl::Buffer("arrivals", sizeof(std::uint32_t));
+  if (programs.sums_in_groups()) arrivals_ = gl::Buffer("arrivals", sizeof(std::uint32_t));
   if (buffers.has_linear()) vertex_tets_ = make_vertex_tets(buffers);
   if (buffers.has_quadratic()) vertex_quadratic_ = make_vertex_quadratic(buffers);
   set_acceleration(programs, buffers, settings);
@@ -200,7 +200,7 @@ Passes TwoLevelMethod::complete_iteration(const Recording& r) const {
 
 // On GPUs sums end in the dispatch that adds their terms (shaders/common/last_group.glsl).
 bool TwoLevelMethod::last_group_ends(const Recording& r) {
-  return r.programs.load_path() == gl::LoadPath::storage && !r.deferred;
+  return r.programs.sums_in_groups() && !r.deferred;
 }
 
 // Not `final`: before the first step, which it then takes. The last group also keeps that objective or, with `final`,

@@ -40,7 +40,7 @@ void for_vertices(const std::vector<Corner>& corners, F&& f) {
 }  // namespace
 
 bool ForceClusters::serve(const gl::ProgramCache& programs, const SimBuffers& buffers) {
-  return programs.load_path() == gl::LoadPath::storage && !buffers.has_quadratic();
+  return programs.sums_in_groups() && !buffers.has_quadratic();
 }
 
 ForceClusters::ForceClusters(const SimBuffers& buffers) : pairs_(buffers.pair_and_single_count()) {

@@ -20,7 +20,7 @@ struct Reduction {
   Reduction(const gl::ProgramCache& programs, std::uint32_t items, bool wide = false) {
     // Software renderers get few lanes, whose sums one invocation adds; large meshes get enough lanes for many cores.
     // GPUs get many lanes, and a tree leaves one sum per group.
-    const bool tree = programs.load_path() == gl::LoadPath::storage;
+    const bool tree = programs.sums_in_groups();
     const std::uint32_t share = !tree  ? 16
                                 : wide ? 1
                                        : 4,

@@ -37,7 +37,9 @@ std::string variant_of(const std::string& text) {
     std::string name, value;
     words >> name >> value;
     const bool code = name.find('(') != std::string::npos;
-    if (code || value == "0" || name == "TEXELS_IN_ORDER" || name == "LAW_COUNT" || name == "BEYOND_STRAIN") continue;
+    if (code || value == "0" || name == "TEXELS_IN_ORDER" || name == "SUMS_IN_GROUPS" || name == "LAW_COUNT" ||
+        name == "BEYOND_STRAIN")
+      continue;
     for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     variant += (variant.empty() ? "" : " ") + name + (value == "1" ? "" : "=" + value);
   }
