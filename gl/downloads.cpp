@@ -2,11 +2,18 @@
 
 #include <cstring>
 
+#include "gl/loader.h"
+
 namespace fascia::gl {
 
 void Downloads::add(const Buffer& from, std::size_t bytes, void* to) { parts_.push_back({&from, bytes, to}); }
 
 void Downloads::run() {
+  if (device().software) {  // nothing to wait for, and copies of copies would cost
+    for (const Part& part : parts_) part.from->download(0, part.bytes, part.to);
+    parts_.clear();
+    return;
+  }
   std::size_t size = 0;
   for (const Part& part : parts_) size += part.bytes;
   if (!staging_ || staging_.bytes() < size) staging_ = Buffer::staging("downloads_staging", size);

@@ -14,6 +14,8 @@ mat3 times(mat3 f, Sym3 s) {
 
 float contract(Sym3 a, Sym3 b) { return dot(a.d, b.d) + 2.0 * dot(a.s, b.s); }
 
+float trace(Sym3 a) { return a.d.x + a.d.y + a.d.z; }
+
 // eps = sym(H) + 1/2 H^T H with F = I + H: no difference of nearly equal numbers at small strain.
 Sym3 green_strain(mat3 h) {
   return Sym3(vec3(h[0].x, h[1].y, h[2].z) + 0.5 * vec3(dot(h[0], h[0]), dot(h[1], h[1]), dot(h[2], h[2])),

@@ -41,6 +41,6 @@ void main() {
     } while (near != 0u);
   }
   contact_force[i] = force;
-  contact_block[2u * i] = vec4(block.d, 0.0);
-  contact_block[2u * i + 1u] = vec4(block.s, 0.0);
+  STORE3(contact_block[2u * i], block.d)
+  STORE3(contact_block[2u * i + 1u], block.s)
 }

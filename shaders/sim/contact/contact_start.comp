@@ -1,9 +1,8 @@
-// Begins a stage at every contact point: finds the pieces that it may touch within the stage, and for these the anchor
-// of friction and the normal. A point is near a piece that it pressed before, or if its distance at the start is less
-// than twice its way to the inertial start of the iterations plus the way of the piece and a margin. How much of that
-// way, or of that of its body if it is carried (support.glsl), the point goes before it meets the piece limits where the
-// iterations start. A point whose way leads through the piece, or so deep into it that another side is nearer, meets for
-// this stage the plane at which it enters, as sim/tool/tool_entry.h states. After contact_support.
+// Begins a stage at every listed point: the anchor of friction and the normal for the pieces that are near. How much of
+// its way to the inertial start of the iterations, or of that of its body if it is carried (support.glsl), the point goes
+// before it meets the piece limits where the iterations start. A point whose way leads through the piece, or so deep into
+// it that another side is nearer, meets for this stage the plane at which it enters, as sim/tool/tool_entry.h states.
+// After contact_support.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
@@ -13,15 +12,12 @@ COMPUTE_1D
 INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m], w penalty [N/m]
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
-INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
-OUTPUT(vec4, ContactBefore, contact_before)        // [rows] the memory at the start, for comparisons
-OUTPUT(uint, ContactNear, contact_near)            // [points] a bit for every piece that is near
-OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] u with which points go with the piece [m], w c of friction [N/m]; 0 where not near
+INPUT_VEC4(ContactMemory, contact_memory)          // [rows] w lambda [N]
+INPUT_UINT(ContactNear, contact_near)              // [points] a bit for every piece that is near
+OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] of near rows, u with which points go with the piece [m], w c of friction [N/m]
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
-OUTPUT(vec4, ContactForce, contact_force)          // [points]
-OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points]
 INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
-uniform uint pieces, bodies, points;
+uniform uint bodies, points;
 
 // The share of the way from a to b, in the axes of the piece, at which it enters the piece; 1: not.
 float entry_of(uint piece, vec3 a, vec3 way) {
@@ -37,33 +33,28 @@ float entry_of(uint piece, vec3 a, vec3 way) {
 
 void main() {
   ITEM_OR_RETURN(i)
+#if PAIRS
+  if (i >= points) return;
+#endif
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
   vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
   vec3 rest = FETCH(contact_rest, i).xyz, x = rest + start;
-  float reach = 2.0 * length(way);
   uint body = contact_bodies[BODY_OF_POINT(i)], force = FORCE_OF_BODY(body), leader = contact_bodies[LEADER_OF_POINT(i)];
   float mass = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]);
   if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u]))
     way = way_of_carried(contact_bodies[force + 3u], contact_bodies[force + 4u], contact_bodies[force + 5u], contact_bodies[force + 6u]);
-  uint near = 0u;
-  uint piece = 0u;
+  uint near = FETCH1(contact_near, i);  // not 0: the point is listed
   do {  // llvmpipe runs the body of other loops once more
-    if (i >= points_of(piece)) continue;
-    uint row = first_row_of(piece) + i;
+    uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
     vec3 local = to_local(pose_at_start(piece), x);
     vec4 d = distance_to(piece, local), plane = vec4(0.0, 0.0, 0.0, NO_PLANE);
-    vec4 memory = FETCH(contact_memory, row);
-    contact_before[row] = memory;
-    bool touches = memory.w > 0.0 || d.w - half_thickness(piece) < reach + reach_of(piece);
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
     float penalty = share_of_penalty(piece) * FETCH(contact_rest, i).w;
-    float sliding = max(STICKING * penalty, friction_of(piece) * memory.w / full_slip(piece));
-    contact_anchor[row] = touches ? vec4(anchor, sliding) : vec4(0.0);
-    if (!touches) continue;
-    near |= 1u << piece;
+    float sliding = max(STICKING * penalty, friction_of(piece) * FETCH(contact_memory, row).w / full_slip(piece));
+    contact_anchor[row] = vec4(anchor, sliding);
     vec3 first = to_local(end, x), last = to_local(end, x + way), inward = last - first;
     vec4 d_last = distance_to(piece, last);
     float before = distance_to(piece, first).w, after = d_last.w, entry = 1.0;
@@ -88,9 +79,6 @@ void main() {
     d.xyz = normalize(d.xyz);
 #endif
     contact_normal_now[row] = plane.w == NO_PLANE ? vec4(end.axes * d.xyz, NO_PLANE) : plane;
-  } while (++piece < pieces);
-  contact_near[i] = near;
-  contact_force[i] = vec4(0.0);
-  contact_block[2u * i] = vec4(0.0);
-  contact_block[2u * i + 1u] = vec4(0.0);
+    near &= near - 1u;
+  } while (near != 0u);
 }

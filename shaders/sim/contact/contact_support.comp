@@ -1,5 +1,6 @@
 // Sums the forces with which pieces pressed each body at the end of the stage before, and the ways on which the velocities
-// of the points that pressed lead. Those of other tissue are there already. In integers, whose sum is the same in any order. After predict, before contact_start.
+// of the points that pressed lead. Those of other tissue are there already. In integers, whose sum is the same in any order.
+// Over the listed points, among which all that pressed are. After contact_list, before contact_start.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "common/step.glsl"
@@ -10,17 +11,22 @@ INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at r
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
+INPUT_UINT(ContactNear, contact_near)              // [points] a bit for every piece that is near
 INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
-uniform uint pieces, bodies, points;
+uniform uint bodies, points;
 
 void main() {
   ITEM_OR_RETURN(i)
+#if PAIRS
+  if (i >= points) return;
+#endif
   uint body = contact_bodies[BODY_OF_POINT(i)];
   float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * length(GRAVITY);
   vec3 force = vec3(0.0), way = vec3(0.0);
-  uint end = weight > 0.0 ? pieces : 0u;
-  for (uint piece = 0u; piece < end; ++piece) {
-    if (i >= points_of(piece)) continue;
+  uint near = FETCH1(contact_near, i);  // not 0: the point is listed
+  do {  // llvmpipe runs the body of other loops once more
+    uint piece = uint(findLSB(near));
+    near &= near - 1u;
     vec4 memory = FETCH(contact_memory, first_row_of(piece) + i);
     if (memory.w <= 0.0) continue;
     uvec4 vertices = FETCH(contact_vertices, i);
@@ -33,7 +39,7 @@ void main() {
     normal = normalize(normal);
 #endif
     force += pose.axes * (memory.w * normal + memory.xyz);
-  }
+  } while (near != 0u);
   const float most = 1073741824.0;  // 2^30
   ivec3 whole = weight > 0.0 ? ivec3(round(clamp(force / (SUPPORT_UNIT * weight), -most, most))) : ivec3(0);
   if (whole != ivec3(0)) {

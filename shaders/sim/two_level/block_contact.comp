@@ -1,7 +1,8 @@
 // Inverse of the blocks of block_inverse.comp with the stiffness of contact as the last forces had it, or the ones before
 // where these were stiffer. A point that begins to press, or whose friction begins to hold, is many times stiffer than
 // its tissue; one that lets go in an iteration often presses again in the next. With FIRST, after block_inverse.comp, of
-// all vertices; else, before iterations, of those around points that may touch something, a list (DEFERRED).
+// all vertices; else, before iterations, of those around points that may touch something, a list (DEFERRED). On software
+// renderers contact_gather.comp does this.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "common/step.glsl"
@@ -14,8 +15,6 @@ INOUT(vec4, BlockPressed, block_pressed)
 #endif
 #include "sim/energy/terms.glsl"
 #include "sim/two_level/store_inverse.glsl"
-
-float trace(Sym3 a) { return a.d.x + a.d.y + a.d.z; }
 
 void main() {
   ITEM_OR_RETURN(i)

@@ -1,5 +1,6 @@
 // Inverse of every vertex's 3x3 block, kept for some iterations: a new one each time would cost more than the
-// iterations that it saves. With FREE the blocks themselves, for block_contact.comp. After predict and prescribe.
+// iterations that it saves. With FREE the blocks without those of external energies, too, to which block_contact.comp adds
+// them; on software renderers it is done here, and by contact_gather.comp. After predict and prescribe.
 #include "common/io.glsl"
 #define GUARDED_ELSEWHERE 1
 #define AT_VERTEX(v) FETCH(displacement, v).xyz
@@ -18,7 +19,8 @@ INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
 #if FREE
 OUTPUT(vec4, BlockFree, block_free)  // [2 * vertex_count] the blocks, xyz of xx, yy, zz then of yz, xz, xy [kg];
                                      // first w inverse mass
-#else
+#endif
+#if !FREE || READ_TEXELS
 #include "sim/two_level/store_inverse.glsl"
 #endif
 
@@ -36,7 +38,9 @@ void main() {
 #if FREE
   block_free[2u * i] = vec4(a.d, FETCH(displacement, i).w);
   STORE3(block_free[2u * i + 1u], a.s)
-#else
+  ADD_EXTERNAL_BLOCK(a, i, SUBSTEP * SUBSTEP)
+#endif
+#if !FREE || READ_TEXELS
   store_inverse(i, a, FETCH(displacement, i).w);
 #endif
 }

@@ -51,14 +51,11 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
                            {"contact_weights", &weights_},
                            {"contact_rest", &rest_}});
   if (grids_) more.emplace_back("contact_grid", &grids_);
-  gl::Defines with_entry = defines();
-  with_entry.emplace_back("ENTRY_STEPS", std::to_string(kEntrySteps));
-  with_entry.emplace_back("STICKING", std::to_string(kStickingPenalty));
-  gl::ComputePass pass(programs.compute(kernel, with_entry), std::move(more), point_count(),
-                       {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())},
-                        {"bodies", starts_.body_count()},
-                        {"points", point_count()}});
-  pass.loops((kEntrySteps + 6) * loops_of_point());
+  gl::Defines with_stretch = defines();
+  with_stretch.emplace_back("STRETCH", std::to_string(kStretch));
+  gl::ComputePass pass(programs.compute(kernel, with_stretch), std::move(more), point_count(),
+                       {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())}});
+  pass.loops(loops_of_point());
   return pass;
 }
 
@@ -91,61 +88,79 @@ EnergyTerm::Passes ContactTerm::over_touched(gl::ProgramCache& programs, const c
                                              gl::ComputePass::Bindings bindings) const {
   defines.emplace_back("DEFERRED", "1");
   bindings.emplace_back("deferred_items", &list_);
-  gl::ComputePass pass(programs.compute(kernel, defines), std::move(bindings), buffers_.vertex_count,
-                       {{"deferred_list", touched_list()}, {"deferred_begin", touched_list() + 4}});
-  pass.loops(2 * most_entries_ + 2);
-  pass.set_indirect(list_, touched_list());
-  return {std::move(pass)};
+  Passes passes;
+  for (const std::uint32_t list : {touched_list(), few_list()}) {
+    if (list == few_list() && !sums_) break;
+    gl::ComputePass pass(programs.compute(kernel, defines), bindings, buffers_.vertex_count,
+                         {{"deferred_list", list}, {"deferred_begin", list + 4}});
+    pass.loops(2 * most_entries_ + 2);
+    pass.set_indirect(list_, list);
+    passes.push_back(std::move(pass));
+  }
+  return passes;
 }
 
 EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  const gl::ComputePass::Bindings places{{"start_displacement", &buffers.start_of_stage()},
+                                         {"displacement", &buffers.displacement},
+                                         {"contact_memory", &buffers.contact_memory},
+                                         {"contact_near", &near_}};
   Passes passes;
   if (!surface_.empty()) {
-    passes.push_back(over_points(programs, "sim/contact/contact_support.comp",
-                                 {{"step", &buffers.step},
-                                  {"start_displacement", &buffers.start_of_stage()},
-                                  {"displacement", &buffers.displacement},
-                                  {"contact_memory", &buffers.contact_memory},
-                                  {"contact_bodies", &starts_.bodies()}}));
-    passes.push_back(over_points(programs, "sim/contact/contact_start.comp",
-                                 {{"step", &buffers.step},
-                                  {"start_displacement", &buffers.start_of_stage()},
-                                  {"displacement", &buffers.displacement},
-                                  {"contact_memory", &buffers.contact_memory},
-                                  {"contact_before", &buffers.contact_before},
-                                  {"contact_near", &near_},
-                                  {"contact_anchor", &rows_},
-                                  {"contact_normal_now", &normals_},
-                                  {"contact_bodies", &starts_.bodies()},
-                                  {"contact_force", &forces_},
-                                  {"contact_block", &blocks_}}));
+    gl::ComputePass::Bindings bindings = places;
+    bindings.insert(bindings.end(), {{"contact_before", &buffers.contact_before},
+                                     {"contact_counts", &counts_},
+                                     {"contact_anchor", &rows_},
+                                     {"contact_force", &forces_},
+                                     {"contact_block", &blocks_}});
+    passes.push_back(over_points(programs, "sim/contact/contact_near.comp", std::move(bindings)));
   }
-  const gl::Defines stretched{{"STRETCH", std::to_string(kStretch)}};
-  if (!surface_.empty())
-    passes
-        .emplace_back(programs.compute("sim/contact/contact_count.comp", stretched),
-                      gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}}, stretches(),
-                      gl::ComputePass::Constants{{"points", point_count()}})
-        .loops(kStretch + 1);
   passes
       .emplace_back(
-          programs.compute("sim/contact/contact_list.comp", stretched),
+          programs.compute("sim/contact/contact_list.comp", {{"STRETCH", std::to_string(kStretch)}}),
           gl::ComputePass::Bindings{{"contact_near", &near_}, {"contact_counts", &counts_}, {"contact_list", &list_}},
           stretches(),
-          gl::ComputePass::Constants{
-              {"points", point_count()}, {"stretches", stretches()}, {"touched_list", touched_list()}})
+          gl::ComputePass::Constants{{"points", point_count()},
+                                     {"stretches", stretches()},
+                                     {"touched_list", touched_list()},
+                                     {"few_list", few_list()}})
       .loops(stretches() + kStretch + 1);
-  gl::ComputePass::Bindings touched{{"contact_begin", &begin_},
-                                    {"contact_entries", &entries_},
-                                    {"contact_near", &near_},
-                                    {"contact_end", &end_},
-                                    {"contact_list", &list_}};
+  gl::ComputePass::Bindings touched{{"contact_begin", &begin_},   {"contact_entries", &entries_},
+                                    {"contact_near", &near_},     {"contact_end", &end_},
+                                    {"contact_counts", &counts_}, {"contact_list", &list_}};
   if (sums_) touched.emplace_back("contact_sums", &sums_);
   passes
       .emplace_back(programs.compute("sim/contact/contact_touched.comp"), std::move(touched), buffers.vertex_count,
-                    gl::ComputePass::Constants{{"touched_list", touched_list()}})
+                    gl::ComputePass::Constants{
+                        {"touched_list", touched_list()}, {"few_list", few_list()}, {"stretches", stretches()}})
       .loops(most_entries_ + 5);
+  if (surface_.empty()) return passes;
+  gl::ComputePass::Bindings listed = places;
+  listed.insert(listed.end(), {{"step", &buffers.step}, {"contact_bodies", &starts_.bodies()}});
+  passes.push_back(start_of_near(programs, "sim/contact/contact_support.comp", listed));
+  listed.insert(listed.end(), {{"contact_anchor", &rows_}, {"contact_normal_now", &normals_}});
+  passes.push_back(start_of_near(programs, "sim/contact/contact_start.comp", std::move(listed)));
   return passes;
+}
+
+gl::ComputePass ContactTerm::start_of_near(gl::ProgramCache& programs, const char* kernel,
+                                           gl::ComputePass::Bindings more) const {
+  more.insert(more.end(), {{"contact_pieces", &pieces_},
+                           {"contact_vertices", &vertices_},
+                           {"contact_weights", &weights_},
+                           {"contact_rest", &rest_},
+                           {"deferred_items", &list_}});
+  if (grids_) more.emplace_back("contact_grid", &grids_);
+  gl::Defines listed = defines();
+  listed.emplace_back("DEFERRED", "1");
+  listed.emplace_back("ENTRY_STEPS", std::to_string(kEntrySteps));
+  listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
+  gl::ComputePass pass(
+      programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
+      {{"deferred_list", 0}, {"deferred_begin", 4}, {"bodies", starts_.body_count()}, {"points", point_count()}});
+  pass.loops((kEntrySteps + 6) * loops_of_point());
+  pass.set_indirect(list_, 0);
+  return pass;
 }
 
 EnergyTerm::Passes ContactTerm::advance(const Recording& r, const gl::Buffer& step) const {
@@ -159,7 +174,8 @@ EnergyTerm::Passes ContactTerm::advance(const Recording& r, const gl::Buffer& st
                           {{"bodies", starts_.body_count()}})};
 }
 
-EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBuffers& buffers,
+                                         const VertexBlocks* blocks) const {
   Passes passes{over_near(programs, "sim/contact/contact_force.comp",
                           {{"displacement", &buffers.displacement},
                            {"contact_memory", &buffers.contact_memory},
@@ -170,7 +186,11 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
   gl::ComputePass::Bindings bindings{
       {"step", &buffers.step}, {"contact_force", &forces_}, {"contact_block", &blocks_}, {"contact_sums", &sums_}};
   bind_entries(bindings);
-  append(passes, over_touched(programs, "sim/contact/contact_gather.comp", {}, std::move(bindings)));
+  if (blocks)
+    bindings.insert(bindings.end(),
+                    {{"sums_before", &sums_}, {"block_free", &blocks->free}, {"block_inverse", &blocks->inverse}});
+  append(passes, over_touched(programs, "sim/contact/contact_gather.comp", {{"INVERTS", blocks ? "1" : "0"}},
+                              std::move(bindings)));
   return passes;
 }
 

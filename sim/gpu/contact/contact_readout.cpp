@@ -11,10 +11,17 @@ namespace fascia {
 using Eigen::Vector3d;
 using shared::vec4;
 
+// The list stays as it is within a stage, and what it does not list has no stiffness.
 void ContactTerm::read_stiffness(gl::Downloads& downloads) {
-  read_list_.resize(4 + places_.size());
-  read_blocks_.resize(2 * places_.size());
-  downloads.add(list_, read_list_.size() * sizeof(std::uint32_t), read_list_.data());
+  std::size_t count = places_.size();
+  if (read_list_.empty()) {
+    read_list_.resize(4 + count);
+    downloads.add(list_, read_list_.size() * sizeof(std::uint32_t), read_list_.data());
+  } else if (const std::size_t listed = read_list_[3]; listed <= count) {
+    const auto first = read_list_.begin() + 4, last = std::max_element(first, first + listed);
+    count = listed > 0 ? std::min<std::size_t>(count, *last + std::size_t{1}) : 0;
+  }
+  read_blocks_.resize(2 * count);
   downloads.add(blocks_, read_blocks_.size() * sizeof(vec4), read_blocks_.data());
 }
 

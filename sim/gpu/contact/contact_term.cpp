@@ -93,7 +93,8 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   if (!pairs_.empty()) most_entries_ += kMostPairsOfVertex / 2 + 1;
   std::size_t entries = 4 * pairs_.slot_count();
   for (const std::vector<Entry>& list : point_entries_) entries += (list.size() + 1) / 2;
-  std::vector<std::uint32_t> near(all, 1), none(8 + all + buffers.vertex_count);
+  const std::size_t lists = loads == gl::LoadPath::texel ? 2 : 1;  // of vertices
+  std::vector<std::uint32_t> near(all, 1), none(4 + all + lists * (4 + buffers.vertex_count));
   std::fill_n(near.begin(), point_count(), 0u);
   none[1] = none[2] = 1;
   vertices_ = gl::Buffer("contact_vertices", vertices);
@@ -183,6 +184,7 @@ void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration,
                               const std::vector<VertexStiffness>& springs, SimBuffers& buffers) {
   if (!acts()) return;
+  read_list_.clear();
   if (!surface_.empty()) place_pieces(motion);
   if (!pairs_.empty()) {
     const bool had_pairs = !pairs_.rows().empty();
@@ -195,6 +197,7 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, double dura
 
 bool ContactTerm::search_again(SimBuffers& buffers) {
   if (!pairs_.search_again(buffers, surface_.row_count)) return false;
+  read_list_.clear();
   upload_pairs();
   groups_.join(pairs_.rows());
   starts_.stay();

@@ -52,7 +52,8 @@ class ContactTerm : public EnergyTerm {
   Passes impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes begin(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes advance(const Recording& recording, const gl::Buffer& step) const override;
-  Passes evaluate(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
+  Passes evaluate(gl::ProgramCache& programs, const SimBuffers& buffers, const VertexBlocks* blocks) const override;
+  bool evaluates_blocks() const override { return bool{sums_}; }
   Passes finish(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
   Passes over_touched(gl::ProgramCache& programs, const char* kernel, gl::Defines defines,
@@ -102,13 +103,15 @@ class ContactTerm : public EnergyTerm {
   void upload_pairs();
   void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  gl::ComputePass start_of_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   void bind_entries(gl::ComputePass::Bindings& bindings) const;  // shaders/sim/contact/entry.glsl
   std::uint32_t loops_of_point() const;
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(surface_.points.size()); }
   std::uint32_t stretches() const;  // of points, each of which one invocation lists; one at least
-  // Where in list_ the vertices follow the points and pairs
+  // Where in list_ the vertices follow the points and pairs, and, on software renderers, those of few points
   std::uint32_t touched_list() const { return 4 + point_count() + pairs_.slot_count(); }
+  std::uint32_t few_list() const { return touched_list() + 4 + buffers_.vertex_count; }
 
   const Model& model_;
   const SimBuffers& buffers_;

@@ -113,7 +113,8 @@ Passes CoarseLevel::passes(const Recording& r, const gl::Buffer& gradient) const
                 {{"coarse_inverse", &inverse_rows_}, {"coarse_scale", &scale_}, {"coarse_gradient", &gradient_}});
     passes
         .emplace_back(r.programs.compute("sim/two_level/coarse_solve.comp", {{"TOUCHED", touched ? "1" : "0"}}),
-                      std::move(more), nodes * lanes_, gl::ComputePass::Constants{{"row_octets", row_octets_}})
+                      std::move(more), lanes_ > 1 ? nodes * lanes_ : (nodes + 1) / 2,
+                      gl::ComputePass::Constants{{"row_octets", row_octets_}, {"nodes", nodes}})
         .loops(row_octets_ + 1);
   };
   if (contact_matrix_ && r.has_blocks()) {

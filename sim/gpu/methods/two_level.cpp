@@ -67,7 +67,7 @@ void TwoLevelMethod::prepare(const Recording& r) {
   keep(guarded_quadratic_, "guarded_quadratic", r.buffers.quadratic_count);
   if (!r.has_blocks() || block_free_) return;
   block_free_ = gl::Buffer("block_free", block_inverse_.bytes());
-  block_pressed_ = gl::Buffer("block_pressed", block_inverse_.bytes());
+  if (!r.evaluates_blocks()) block_pressed_ = gl::Buffer("block_pressed", block_inverse_.bytes());
 }
 
 // The inertial start may have a much higher energy: it is treated as a step from u_n, which is kept only if it lowers
@@ -100,11 +100,9 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"tet_shape", &r.buffers.tet_shape},
                                      {"displacement", &r.buffers.displacement},
                                      {"mass", &r.buffers.mass}};
-  const bool contact = r.has_blocks();
-  if (contact)
-    bindings.emplace_back("block_free", &block_free_);
-  else
-    bindings.emplace_back("block_inverse", &block_inverse_);
+  const bool contact = r.has_blocks(), at_once = contact && r.evaluates_blocks();
+  if (contact) bindings.emplace_back("block_free", &block_free_);
+  if (!contact || at_once) bindings.emplace_back("block_inverse", &block_inverse_);
   if (vertex_tets_)
     bindings.insert(bindings.end(), {{"tet_begin", &r.buffers.tet_begin}, {"vertex_tets", &vertex_tets_}});
   if (vertex_quadratic_)
@@ -112,7 +110,8 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"quadratic_begin", &r.buffers.quadratic_begin},
                                      {"vertex_quadratic", &vertex_quadratic_}});
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
-  gl::Defines defines = with_energy_terms(defines_of(r.features), bindings, r.terms, TermUse::stiffness);
+  gl::Defines defines =
+      with_energy_terms(defines_of(r.features), bindings, r.terms, at_once ? TermUse::block : TermUse::stiffness);
   defines.emplace_back("FREE", contact ? "1" : "0");
   defines.emplace_back("LINEAR_TETS", vertex_tets_ ? "1" : "0");
   defines.emplace_back("QUADRATIC_TETS", vertex_quadratic_ ? "1" : "0");
@@ -122,7 +121,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
       r.over_vertices("sim/two_level/block_inverse.comp", std::move(defines), std::move(bindings),
                       vertex_quadratic_ ? constants_of_quadratic(r.buffers) : gl::ComputePass::Constants{}));
   passes.back().loops(r.loops_of_vertex());
-  if (contact) append(passes, blocks_in_contact(r, true));
+  if (contact && !at_once) append(passes, blocks_in_contact(r, true));
   return passes;
 }
 
@@ -143,12 +142,14 @@ Passes TwoLevelMethod::blocks_in_contact(const Recording& r, bool first) const {
 }
 
 Passes TwoLevelMethod::before(const Recording& r, bool first) const {
-  return gradient_.passes(r, first ? std::nullopt : pending(r), first);  // begin() has evaluated the terms last
+  const VertexBlocks blocks{block_free_, block_inverse_};
+  return gradient_.passes(r, first ? std::nullopt : pending(r), first,  // begin() has evaluated the terms last
+                          r.evaluates_blocks() ? &blocks : nullptr);
 }
 
 Passes TwoLevelMethod::iteration(const Recording& r, bool first) const {
   Passes passes;
-  if (!first && r.has_blocks()) append(passes, blocks_in_contact(r, false));
+  if (!first && r.has_blocks() && !r.evaluates_blocks()) append(passes, blocks_in_contact(r, false));
   if (!coarse_.empty()) append(passes, coarse_.passes(r, gradient_.gradient()));
   gl::Defines defines{
       {"COARSE", coarse_.empty() ? "0" : "1"}, {"SPLIT", splits_ ? "1" : "0"}, {"SWEEP", anderson_ ? "1" : "0"}};

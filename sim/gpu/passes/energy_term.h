@@ -28,6 +28,12 @@ struct TermCurvature {
   std::uint32_t first_partial;
 };
 
+/// Where a method keeps its vertices' blocks of the Hessian: without the terms that have blocks, and their inverses
+/// with them.
+struct VertexBlocks {
+  const gl::Buffer &free, &inverse;  // vec4 [2 * vertex_count]: shaders/sim/two_level/block_inverse.comp
+};
+
 class EnergyTerm {
  public:
   virtual ~EnergyTerm() = default;
@@ -57,8 +63,11 @@ class EnergyTerm {
   /// From the start of the stage along `step` (vec4 [vertex_count] [m], what is left of it) to where the term first
   /// resists: the iterations go back there if the whole step raises the objective.
   virtual Passes advance(const Recording&, const gl::Buffer& /*step*/) const { return {}; }
-  virtual Passes evaluate(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // before every gradient
-  virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }    // of a stage
+  /// Before every gradient. `blocks`: also updates those of the vertices on which the term acts, if it
+  /// evaluates_blocks(); or null.
+  virtual Passes evaluate(gl::ProgramCache&, const SimBuffers&, const VertexBlocks* /*blocks*/) const { return {}; }
+  virtual bool evaluates_blocks() const { return false; }
+  virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // of a stage
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }
   virtual std::uint32_t curvature_partials(const gl::ProgramCache&) const { return 0; }
   /// Of a term with blocks: a pass over the vertices on which it acts in a stage.

@@ -26,6 +26,11 @@ bool Recording::has_blocks() const {
                      [](const EnergyTerm* term) { return term->acts() && term->has_blocks(); });
 }
 
+bool Recording::evaluates_blocks() const {
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const EnergyTerm* term) { return term->acts() && term->evaluates_blocks(); });
+}
+
 Passes Recording::beginnings() const {
   Passes passes;
   for (const EnergyTerm* term : terms)
@@ -40,10 +45,10 @@ Passes Recording::advances(const gl::Buffer& step) const {
   return passes;
 }
 
-Passes Recording::evaluations() const {
+Passes Recording::evaluations(const VertexBlocks* blocks) const {
   Passes passes;
   for (const EnergyTerm* term : terms)
-    if (term->acts()) append(passes, term->evaluate(programs, buffers));
+    if (term->acts()) append(passes, term->evaluate(programs, buffers, blocks));
   return passes;
 }
 

@@ -26,7 +26,8 @@ gl::ComputePass StepGradient::clustered(const Recording& r, gl::Defines defines,
   return pass;
 }
 
-Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>& pending, bool evaluated) const {
+Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>& pending, bool evaluated,
+                            const VertexBlocks* blocks) const {
   gl::ComputePass::Bindings tet{{"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}};
   tet = with_damping(with_material(std::move(tet), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines tet_defines = defines_of(r.features);
@@ -51,7 +52,7 @@ Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>
     vertex.emplace_back("previous_gradient", &pending->previous_gradient);
   }
   Passes passes;
-  if (!evaluated) passes = r.evaluations();
+  if (!evaluated) passes = r.evaluations(blocks);
   if (clusters)
     passes.push_back(clustered(r, tet_defines, tet));
   else if (r.buffers.has_linear())

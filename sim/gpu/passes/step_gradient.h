@@ -20,9 +20,9 @@ class StepGradient {
  public:
   StepGradient(const gl::ProgramCache& programs, const SimBuffers& buffers);
   /// Writes the forces of the tets to the slots and sums them. `pending`: after that step. `evaluated`: external
-  /// energies are, where the displacements are now.
-  Passes passes(const Recording& recording, const std::optional<PendingStep>& pending = {},
-                bool evaluated = false) const;
+  /// energies are, where the displacements are now. `blocks`: of EnergyTerm::evaluate().
+  Passes passes(const Recording& recording, const std::optional<PendingStep>& pending = {}, bool evaluated = false,
+                const VertexBlocks* blocks = nullptr) const;
   void clear() { gradient_.clear(); }
   const gl::Buffer& gradient() const { return gradient_; }  // vec4 [vertex_count] xyz g [kg m], w objective [kg m^2]
 

@@ -40,7 +40,7 @@ SolverSettings watched_settings() {
   return settings;
 }
 
-// As the kernels look for points that may touch (shaders/sim/contact/contact_start.comp), but with vertices.
+// As the kernels look for points that may touch (shaders/sim/contact/contact_near.comp), but with vertices.
 bool may_touch(const Model& model, const State& state, const ToolMotion& motion, double h, double size) {
   for (std::size_t v = 0; v < state.displacement.size(); ++v) {
     const Vector3d x = model.rest_positions[v] + state.displacement[v],
