@@ -1,4 +1,4 @@
-// The coarse correction at every coarse node, R_j (A_c^-1 r)_j: three rows of the dense inverse each. On GPUs a work
+// The coarse correction at every coarse node, R_j (A_c^-1 r)_j: three rows of the dense inverse each. With sums in groups a work
 // group per node, else an invocation for every two, which share what they read of the right side. After coarse_restrict.
 // With TOUCHED only at the nodes that contact touches, not rotated, for coarse_contact, after which a run without it
 // gives the correction.
@@ -20,11 +20,7 @@ OUTPUT(vec4, CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
 uniform uint row_octets;  // uvec4 per row
 uniform uint nodes;       // at most, with TOUCHED
-#if READ_TEXELS
-#define TWO 1
-#else
-#define TWO 0
-#endif
+#define TWO !SUMS_IN_GROUPS
 
 // The sum of the products, times UNIT: where integers are the upper halves of words, they need no shift.
 #define UNIT 65536.0
