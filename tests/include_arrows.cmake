@@ -58,7 +58,7 @@ set(arrows
   "render/target: base gl"
   "render/view: base shaders/shared"
   "app: base app/cli app/commands app/session"
-  "app/bench: base base/csv gl sim/bare_mesh sim/gpu sim/mesh sim/mesh/io sim/model sim/output sim/reference sim/replay sim/simulation render/target app/charts app/session app/system"
+  "app/bench: base base/csv gl gl/timing sim/bare_mesh sim/gpu sim/mesh sim/mesh/io sim/model sim/output sim/reference sim/replay sim/simulation render/target app/charts app/session app/system"
   "app/bench/accuracy: base sim/accuracy sim/mesh sim/model sim/reference sim/scene/settings sim/simulation app/bench app/ui app/verify"
   "app/bench/window: base base/csv app/bench app/system"
   "app/bench/figures: sim/gpu sim/grab render/target render/view app/bench app/charts app/system app/ui"

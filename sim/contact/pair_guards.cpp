@@ -155,9 +155,10 @@ template <class F>
 void PairSearch::for_new_cuts(F&& found) const {
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
     const TissueEdge& edge = edges_[e];
-    if (!near_[edge.from] && !near_[edge.to]) continue;
+    const std::uint32_t own = body_of_[edge.from];
+    const bool near = near_[edge.from] || near_[edge.to];  // what deforms most may go through where no pair was seen
     for (std::uint32_t body = 0; body < trees_.size(); ++body)
-      if (may_touch(body_of_[edge.from], body))
+      if (may_touch(own, body) && (near || body != own))
         for_cuts(e, body, end_, [&](std::uint32_t triangle) {
           const Triangle& t = triangles_[triangle];
           if (!goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]]))

@@ -8,7 +8,7 @@ INPUT_VEC4(Gradient, gradient)           // [vertex_count] xyz g [kg m], w objec
 INPUT_VEC4(BlockInverse, block_inverse)  // [2 * vertex_count] store_inverse.glsl
 #if COARSE
 INPUT_UINT(CoarseRowBegin, coarse_row_begin)     // [vertex_count + 1]
-INPUT_UINT(CoarseRows, coarse_rows)              // node and, in the upper half, 65535 times its weight
+INPUT_UVEC4(CoarseRows, coarse_rows)             // two entries each: node and weight (float bits) alternating
 INPUT_VEC4(CoarseCorrection, coarse_correction)  // [node_count] [m]
 #endif
 OUTPUT(vec4, FineDirection, fine_direction)  // [vertex_count] z_f [m]; without SPLIT the sum of both, with SWEEP the
@@ -35,10 +35,10 @@ void correct(uint i, out vec3 fine, out vec3 coarse) {
 #if COARSE
     uint end = FETCH1(coarse_row_begin, i + 1u);
     for (uint k = FETCH1(coarse_row_begin, i); k < end; ++k) {
-      uint entry = FETCH1(coarse_rows, k);
-      coarse += float(entry >> 16u) * FETCH(coarse_correction, entry & 0xffffu).xyz;
+      uvec4 entries = FETCH(coarse_rows, k);
+      coarse += uintBitsToFloat(entries.y) * FETCH(coarse_correction, entries.x).xyz;
+      coarse += uintBitsToFloat(entries.w) * FETCH(coarse_correction, entries.z).xyz;
     }
-    coarse *= 1.0 / 65535.0;
 #endif
   }
 }

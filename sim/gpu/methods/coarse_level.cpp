@@ -15,8 +15,7 @@ namespace {
 
 using shared::vec4;
 
-constexpr float kOne = 32767;           // of entries of the inverse
-constexpr double kWholeWeight = 65535;  // of weights in coarse_rows
+constexpr float kOne = 32767;  // of entries of the inverse
 
 // A sparse matrix by rows, for the GPU.
 struct PackedRows {
@@ -65,11 +64,9 @@ CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, c
         std::max(most_entries_, gather.begin[i + 1] - gather.begin[i] + columns.begin[i + 1] - columns.begin[i]);
   node_begin_ = gl::Buffer("coarse_node_begin", begin);
   columns_ = gl::Buffer("coarse_columns", columns.pairs);
-  std::vector<std::uint32_t> rows;
-  for (std::size_t k = 0; k < space_.node.size(); ++k)
-    rows.push_back(space_.node[k] | static_cast<std::uint32_t>(std::lround(kWholeWeight * space_.weight[k])) << 16);
-  row_begin_ = gl::Buffer("coarse_row_begin", space_.begin);
-  rows_ = gl::Buffer("coarse_rows", rows);
+  const PackedRows rows = pack_rows(space_.begin, space_.node, space_.weight);
+  row_begin_ = gl::Buffer("coarse_row_begin", rows.begin);
+  rows_ = gl::Buffer("coarse_rows", rows.pairs);
   rotation_ = gl::Buffer("coarse_rotation", sizeof(vec4) * n);
   gradient_ = gl::Buffer("coarse_gradient", 2 * sizeof(vec4) * row_octets_);
   inverse_rows_ = gl::Buffer("coarse_inverse", sizeof(Tet) * row_octets_ * 3 * n);

@@ -200,9 +200,7 @@ Passes TwoLevelMethod::complete_iteration(const Recording& r) const {
 }
 
 // On GPUs sums end in the dispatch that adds their terms (shaders/common/last_group.glsl).
-bool TwoLevelMethod::last_group_ends(const Recording& r) {
-  return r.programs.sums_in_groups() && !r.deferred;
-}
+bool TwoLevelMethod::last_group_ends(const Recording& r) { return r.programs.sums_in_groups() && !r.deferred; }
 
 // Not `final`: before the first step, which it then takes. The last group also keeps that objective or, with `final`,
 // decides whether the last step is reverted.

@@ -34,8 +34,8 @@ std::string said(const Words& arguments, const fs::path& folder = ".") {
 
 TEST_CASE("an option before a command, which would be ignored, is refused", "[usage]") {
   CHECK_THAT(said({"--data-dir", "no", "run", "no.json"}),
-             Contains("--data-dir stands before the command run") && Contains("expected it after the command"));
-  CHECK_THAT(said({"--quiet", "info", "no.json"}), Contains("--quiet stands before the command info"));
+             Contains("--data-dir: stands before the command run") && Contains("expected it after the command"));
+  CHECK_THAT(said({"--quiet", "info", "no.json"}), Contains("--quiet: stands before the command info"));
   CHECK_THAT(said({"liver.json", "--set", "gravity=[0,0,0]", "check", "no"}), Contains("before the command check"));
 }
 
@@ -101,9 +101,8 @@ TEST_CASE("an unknown command is reported, not the word after it", "[usage]") {
   CHECK_THAT(said({"rendr", "x.json", "--out", "x.png"}), Contains("rendr: unknown command, perhaps you meant render"));
   CHECK_THAT(said({"help"}), Contains("perhaps you meant --help"));
   CHECK_THAT(said({"bench", "Sped", "--out", "x"}), Contains("Sped: unknown command, perhaps you meant speed"));
-  CHECK_THAT(
-      said({"bench", "zzz", "--out", "x"}),
-      Contains("zzz: unknown command; expected one of figures, accuracy, speed, static, skip, contact, window, fill"));
+  CHECK_THAT(said({"bench", "zzz", "--out", "x"}), Contains("zzz: unknown command; expected one of figures, accuracy, "
+                                                            "speed, static, dispatch, skip, contact, window, fill"));
   CHECK_THAT(said({"bench"}), Contains("fascia bench: no command named; expected one of figures"));
   CHECK_THAT(said({cube_path(), "y.json"}), Contains("y.json: not expected here"));  // the first one is a file
   CHECK_THAT(said({"x.json", "y.json"}), Contains("y.json: not expected here"));

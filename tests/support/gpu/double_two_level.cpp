@@ -113,8 +113,7 @@ VectorXd DoubleTwoLevel::coarse(const VectorXd& gradient) const {
   const VectorXd x = coarse_inverse_ * load;
   for (std::uint32_t v = 0; v + 1 < space_.begin.size(); ++v)
     for (std::uint32_t k = space_.begin[v]; k < space_.begin[v + 1]; ++k)
-      z.segment<3>(at(v)) +=
-          std::round(65535 * space_.weight[k]) / 65535 * (rotations[space_.node[k]] * x.segment<3>(at(space_.node[k])));
+      z.segment<3>(at(v)) += space_.weight[k] * (rotations[space_.node[k]] * x.segment<3>(at(space_.node[k])));
   return z;
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("stiff cubes that collide keep their momentum after ten iterations", "
   for (int i = 0; i < 12; ++i) {
     solver.step();
     const Vector3d now = momentum_of(model, solver.download());
-    CAPTURE(young_modulus, i, before.transpose(), now.transpose());
+    CAPTURE(gl::name_of(loads), young_modulus, i, before.transpose(), now.transpose());
     REQUIRE((now - before).norm() < 1e-5 * before.norm());
   }
   const double first = solver.download().velocity.front().x();
