@@ -1,6 +1,7 @@
 #include "sim/contact/pair_search.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/contact/contact_surface.h"
 
@@ -56,34 +57,32 @@ PairSearch::PairSearch(const Model& model) : self_(model.contact.self), bodies_(
 
 void PairSearch::materials_changed(const Model& model, std::span<ContactForce> memory) {
   if (empty()) return;
-  std::vector<double> factors(memory.empty() || softness_.empty() ? 0 : slot_count_, 1);
-  const auto for_pressed = [&](auto&& use) {
-    for (std::uint32_t slot = 0; slot < factors.size(); ++slot)
-      if (memory[force_row(slot)].normal > 0)
-        if (const auto met = static_cast<std::uint32_t>(met_in(memory[met_row(slot)], slot)); met > 0)
-          use(slot, softness_between(slot, met - 1));
-  };
-  for_pressed([&](std::uint32_t slot, double softness) { factors[slot] = softness; });
   penalty_ = 2 * kContactPenalty * model.contact.stiffness;  // of two sides in a row
-  softness_ = tissue_stiffness(model, areas_);
+  const std::vector<double> before = std::exchange(softness_, tissue_stiffness(model, areas_));
   for (const std::uint32_t v : vertices_) softness_[v] = 1 / softness_[v];
-  for_pressed([&](std::uint32_t slot, double softness) {
-    if (softness > factors[slot]) soften(memory[force_row(slot)], factors[slot] / softness);
-  });
+  for (std::uint32_t slot = 0; slot < slot_count_ && met_row(slot) < memory.size(); ++slot) {
+    ContactForce& force = memory[force_row(slot)];
+    if (force.normal <= 0) continue;
+    const double met = met_in(memory[met_row(slot)], slot);
+    const double was = softness_between(before, slot, met), is = softness_between(softness_, slot, met);
+    if (is > was) soften(force, was / is);
+  }
 }
 
-double PairSearch::softness_between(std::uint32_t slot, std::uint32_t met) const {
+double PairSearch::softness_between(const std::vector<double>& softness, std::uint32_t slot, double met) const {
   const auto vertex_count = static_cast<std::uint32_t>(vertices_.size());
-  const auto of_edge = [&](std::uint32_t e) { return (softness_[edges_[e].from] + softness_[edges_[e].to]) / 2; };
-  const bool guards = slot >= first_guard_;
-  if (guards ? slot - first_guard_ >= vertex_count : slot >= first_slot_of_edge(0)) {
-    const std::uint32_t edge =
-        guards ? slot - first_guard_ - vertex_count : (slot - first_slot_of_edge(0)) / kEdgeSlots;
-    return of_edge(edge) + of_edge(met);
+  const bool guards = slot >= first_guard_,
+             of_edges = guards ? slot - first_guard_ >= vertex_count : slot >= first_slot_of_edge(0);
+  const bool knows = met >= 1 && met <= static_cast<double>(of_edges ? edges_.size() : triangles_.size());
+  const std::uint32_t other = knows ? static_cast<std::uint32_t>(met) - 1 : 0;
+  if (of_edges) {
+    const auto at = [&](std::uint32_t e) { return (softness[edges_[e].from] + softness[edges_[e].to]) / 2; };
+    const double own = at(guards ? slot - first_guard_ - vertex_count : (slot - first_slot_of_edge(0)) / kEdgeSlots);
+    return own + (knows ? at(other) : own);
   }
-  const Triangle& t = triangles_[met];
-  return softness_[vertices_[guards ? slot - first_guard_ : slot / body_slots_]] +
-         (softness_[t[0]] + softness_[t[1]] + softness_[t[2]]) / 3;
+  const double own = softness[vertices_[guards ? slot - first_guard_ : slot / body_slots_]];
+  const Triangle& t = triangles_[other];
+  return own + (knows ? (softness[t[0]] + softness[t[1]] + softness[t[2]]) / 3 : own);
 }
 
 void PairSearch::place() {

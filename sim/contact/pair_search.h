@@ -85,7 +85,8 @@ class PairSearch {
   static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
   std::vector<PairRow> find_pairs();
-  double softness_between(std::uint32_t slot, std::uint32_t met) const;  // of the two sides [m/Pa]
+  /// Of the two sides of a pair [m/Pa]. A guard does not know what it met (PairRow::met 0): twice that of its slot.
+  double softness_between(const std::vector<double>& softness, std::uint32_t slot, double met) const;
   void keep_guards();
   void keep_guard_of_vertex(std::uint32_t vertex);
   void keep_guard_of_edge(std::uint32_t edge);

@@ -53,5 +53,5 @@ TEST_CASE("a slider that makes pressed tissue softer does not throw it off", "[c
   const double kinetic = reference::measure(simulation.model, simulation.state()).kinetic;
   CAPTURE(by_reference, own_entry, kinetic, elastic);
   CHECK(elastic > 0);
-  CHECK(kinetic < 0.2 * elastic);
+  CHECK(kinetic < 0.01 * elastic);
 }

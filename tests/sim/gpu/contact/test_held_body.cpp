@@ -93,8 +93,8 @@ TEST_CASE("tissue that becomes softer is not thrown off what presses it", "[gpu]
   for (const double factor : {0.3, 0.01, 1e-3}) {
     const double one = thrown_off(single, factor), two = thrown_off(pair, factor);
     CAPTURE(factor, one, two);
-    CHECK(one < 0.2);
-    CHECK(two < 0.2);
+    CHECK(one < 0.01);
+    CHECK(two < 0.01);
   }
 }
 
