@@ -1,6 +1,7 @@
 // A part of the Hessian of contact, and what friction does within a step: for tools and tissue alike.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
 namespace fascia {
@@ -27,5 +28,15 @@ Eigen::Vector3d within(const Eigen::Vector3d& q, double bound);
 double sticking_energy(const Eigen::Vector3d& q, double bound, double penalty);
 /// Its second derivatives by the way across the normal `n` [N/m].
 Eigen::Matrix3d sticking_hessian(const Eigen::Vector3d& q, double bound, double penalty, const Eigen::Vector3d& n);
+
+/// What presses or may press, as translations of whole bodies see it: linear in them.
+struct BodyContact {
+  static constexpr std::uint32_t kTool = ~0u;
+  std::array<std::uint32_t, 2> bodies;      // that the normal points to, and the other or kTool
+  Eigen::Vector3d normal;                   // a unit vector
+  double stiffness, before, depth;          // k [N/m], lambda [N], of the penalty on depth [m]
+  Eigen::Vector3d slip_normal, tangential;  // n0, q [N]
+  double sliding, bound;                    // c [N/m], b [N]
+};
 
 }  // namespace fascia

@@ -164,6 +164,24 @@ ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
   return memory;
 }
 
+std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_t>& bodies, const VectorXd& u) const {
+  std::vector<BodyContact> contacts;
+  pairs_.append_to(contacts, u);
+  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
+    const Contact contact = contact_of(piece, p, u);
+    contacts.push_back({{bodies[surface_.points[p].vertices[0]], BodyContact::kTool},
+                        contact.normal,
+                        row.stiffness,
+                        row.pressing,
+                        contact.depth,
+                        row.normal,
+                        contact.tangential,
+                        row.sliding,
+                        placed.friction * row.pressing});
+  });
+  return contacts;
+}
+
 std::vector<ToolLoad> ContactEnergy::loads(const VectorXd& u) const {
   std::vector<ToolLoad> loads(model_.tools.size());
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {

@@ -49,6 +49,8 @@ class ContactEnergy {
   /// As long as the memory at the start, or as the rows of tools if that had none.
   ContactMemory memory_after(const Eigen::VectorXd& u) const;
   std::vector<ToolLoad> loads(const Eigen::VectorXd& u) const;  // [tool]
+  /// Of the vertices' `bodies` at `u`, with tools and with each other.
+  std::vector<BodyContact> of_bodies(const std::vector<std::uint32_t>& bodies, const Eigen::VectorXd& u) const;
 
  private:
   struct Piece {

@@ -99,6 +99,59 @@ void PairSearch::choose_crossings() {
   }
 }
 
+// Beside a face, at a convex edge, the nearest point is on the edge, and the normal turns from one face to the other as
+// the vertex goes around: by the face's own it would stop a body whose edge slides over it. The moment is that at which
+// their distance, which is convex in time, first is the skin, or where it is least.
+std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, const Triangle& t) const {
+  constexpr int kHalves = 12;
+  const auto at = [&](double share) {
+    const auto place = [&](std::uint32_t i) { return Vector3d(start_[i] + share * (end_[i] - start_[i])); };
+    const std::array<Vector3d, 3> corners = {place(t[0]), place(t[1]), place(t[2])};
+    Beside beside;
+    beside.weights = nearest_weights(place(v), corners[0], corners[1], corners[2]);
+    beside.normal = place(v);
+    for (int k = 0; k < 3; ++k) beside.normal -= beside.weights[k] * corners[static_cast<std::size_t>(k)];
+    beside.distance = beside.normal.norm();
+    return beside;
+  };
+  Beside found = at(0);
+  if (found.distance > skin_) {
+    double low = 0, high = 1;
+    for (int half = 0; half < kHalves; ++half) {  // towards where the distance is least, or first below the skin
+      const double middle = 0.5 * (low + high), little = 1e-3 * (high - low);
+      const Beside here = at(middle);
+      (here.distance <= skin_ || at(middle + little).distance >= here.distance ? high : low) = middle;
+    }
+    found = at(high);
+  }
+  if (!(found.distance > 0)) return std::nullopt;
+  found.normal /= found.distance;
+  return found;
+}
+
+// Whether the normal is between those of the faces at the edge, or next to those around the corner, that is nearest.
+// Elsewhere the vertex is above another face.
+bool PairSearch::is_around_edge(const Beside& beside, std::uint32_t triangle) const {
+  const Triangle& t = triangles_[triangle];
+  const Vector3d &n = beside.normal, &own = normals_[triangle];
+  for (int k = 0; k < 3; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    if (beside.weights[k] == 1) {
+      const Vector3d around = vertex_normals_[t[at]].stableNormalized();
+      return n.dot(around) >= own.dot(around);
+    }
+    if (beside.weights[k] > 0) continue;
+    for (const std::uint32_t e : sides_[triangle]) {
+      const TissueEdge& edge = edges_[e];
+      if (edge.from == t[at] || edge.to == t[at] || edge.sides[1] == TissueEdge::kNoSide) continue;
+      const Vector3d& other = normals_[edge.sides[edge.sides[0] == triangle ? 1 : 0]];
+      const Vector3d axis = own.cross(other);
+      return own.cross(n).dot(axis) > 0 && n.cross(other).dot(axis) > 0;
+    }
+  }
+  return false;
+}
+
 void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t triangle) {
   const Triangle& t = triangles_[triangle];
   if (vertex_normals_[v].dot(normals_[triangle]) >= 0) return;
@@ -126,9 +179,18 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   const double twice_area2 = normal.squaredNorm();
   const Vector3d b = corners[1] - corners[0], c = corners[2] - corners[0];
   const double beta = local.cross(c).dot(normal) / twice_area2, gamma = b.cross(local).dot(normal) / twice_area2;
-  const double least = std::min({1 - beta - gamma, beta, gamma});
+  Vector3d weights(1 - beta - gamma, beta, gamma);
+  const double least = weights.minCoeff();
   const std::uint32_t slot = static_cast<std::uint32_t>(index) * body_slots_ + body_of_[t[0]] % body_slots_;
   if (least < -(pressed_[slot] ? kBesidePressed : kBeside)) return;
+  normal.normalize();
+  double distance = std::abs(then) + std::max(0.0, -least) * edge_;
+  if (least < 0 && then > 0)
+    if (const auto beside = approach_beside(v, t); beside && is_around_edge(*beside, triangle)) {
+      weights = beside->weights;
+      normal = beside->normal;
+      distance = beside->distance;
+    }
   const std::uint32_t body = body_of_[v], other = body_of_[t[0]];
   if (body == other) {
     const Vector3d w = nearest_weights(rest_[v], rest_[t[0]], rest_[t[1]], rest_[t[2]]);
@@ -138,15 +200,15 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   Candidate candidate;
   PairRow& row = candidate.row;
   row.vertices = {v, t[0], t[1], t[2]};
-  row.weights = {1, beta + gamma - 1, -beta, -gamma};
-  row.normal = normal.normalized();
+  row.weights = {1, -weights[0], -weights[1], -weights[2]};
+  row.normal = normal;
   const double softness =
-      softness_[v] + (1 - beta - gamma) * softness_[t[0]] + beta * softness_[t[1]] + gamma * softness_[t[2]];
+      softness_[v] + weights[0] * softness_[t[0]] + weights[1] * softness_[t[1]] + weights[2] * softness_[t[2]];
   row.stiffness = penalty_ * areas_[v] / softness;
   row.slot = slot;
   row.bodies = {body, other};
   row.met = triangle + 1;
-  candidate.distance = std::abs(then) + std::max(0.0, -least) * edge_ - (remembers(slot, triangle) ? kKept * skin_ : 0);
+  candidate.distance = distance - (remembers(slot, triangle) ? kKept * skin_ : 0);
   offer(candidate);
 }
 

@@ -104,6 +104,16 @@ void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
   }
 }
 
+void PairEnergy::append_to(std::vector<BodyContact>& contacts, const VectorXd& u) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const PairRow& row = rows_[i];
+    if (row.bodies[0] == row.bodies[1]) continue;
+    const Contact contact = contact_of(i, u);
+    contacts.push_back({row.bodies, row.normal, row.stiffness, before_[i].normal, contact.depth, row.normal,
+                        contact.tangential, kStickingPenalty * row.stiffness, friction_ * before_[i].normal});
+  }
+}
+
 std::vector<PairLoad> PairEnergy::loads(const VectorXd& u) const {
   std::vector<PairLoad> loads;
   for (std::size_t i = 0; i < rows_.size(); ++i) {

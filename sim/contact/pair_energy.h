@@ -31,6 +31,7 @@ class PairEnergy {
   std::vector<ContactBlock> blocks(const Eigen::VectorXd& u) const;  // of the Hessian, which is semidefinite
   bool empty() const { return rows_.empty(); }
   void remember(const Eigen::VectorXd& u, ContactMemory& memory) const;
+  void append_to(std::vector<BodyContact>& contacts, const Eigen::VectorXd& u) const;
   std::vector<PairLoad> loads(const Eigen::VectorXd& u) const;
 
  private:

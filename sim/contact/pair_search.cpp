@@ -140,6 +140,24 @@ void PairSearch::fit_trees(const std::vector<AlignedBox3d>& boxes, const std::ve
   }
 }
 
+std::vector<char> PairSearch::carried(std::span<const ContactForce> before) const {
+  std::vector<char> bodies(trees_.size(), 0), carried(rest_.size(), 0);
+  for (std::uint32_t slot = 0; slot < first_guard_ && met_row(slot) < before.size(); ++slot) {
+    if (before[force_row(slot)].normal <= 0) continue;
+    ContactForce row = before[met_row(slot)];
+    const double met = met_in(row, slot);
+    const bool of_edge = slot >= first_slot_of_edge(0);
+    if (met < 1 || met > static_cast<double>(of_edge ? edges_.size() : triangles_.size())) continue;
+    const auto other = static_cast<std::size_t>(met) - 1;
+    const std::uint32_t a = of_edge ? edges_[(slot - first_slot_of_edge(0)) / kEdgeSlots].from
+                                    : vertices_[slot / body_slots_],
+                        b = of_edge ? edges_[other].from : triangles_[other][0];
+    if (body_of_[a] != body_of_[b]) bodies[body_of_[a]] = bodies[body_of_[b]] = 1;
+  }
+  for (std::size_t v = 0; v < carried.size(); ++v) carried[v] = bodies[body_of_[v]];
+  return carried;
+}
+
 std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
                                       std::span<const ContactForce> before) {
   cuts_ = false;

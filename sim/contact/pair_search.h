@@ -46,6 +46,9 @@ class PairSearch {
   bool sees_near() const { return std::find(near_.begin(), near_.end(), 1) != near_.end(); }  // after find()
   double skin() const { return skin_; }  // [m] the gap that is left between surfaces
 
+  /// [vertex_count] whether the vertex's body pressed another one in the step before. Contact carries such a body:
+  /// where gravity alone would lead it, edges would meet what they slide over.
+  std::vector<char> carried(std::span<const ContactForce> before) const;
   /// The pairs of a step, by ascending slot. `start` and `end`: displacements [vertex_count] at the start, and where
   /// velocities lead [m]; `before` [row_count]: the memory that the step before left.
   std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
@@ -81,6 +84,13 @@ class PairSearch {
   struct Crossing {
     double s = 0, t = 0;  // shares of the way along the two edges
   };
+  struct Beside {
+    Eigen::Vector3d weights{0, 0, 0};  // of the corners of a face, of its point next to a vertex
+    Eigen::Vector3d normal{0, 0, 0};   // from there to the vertex
+    double distance = 0;               // [m]
+  };
+  std::optional<Beside> approach_beside(std::uint32_t vertex, const Triangle& triangle) const;
+  bool is_around_edge(const Beside& beside, std::uint32_t triangle) const;
   /// The nearest points of two lines that are not parallel.
   static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);

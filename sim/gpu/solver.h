@@ -161,6 +161,7 @@ class GpuSolver {
   ToolMotion next_tools() const;               // in the next one
   bool takes_contact(int iteration) const;     // before it, into the coarse level
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
+  void end_iterations();
   void end_stage();
   void iterate_all();
   void solve_stage(const IntegratorStage& stage);
@@ -169,16 +170,16 @@ class GpuSolver {
   void settings_changed();
   struct StepPasses {
     // Of one substep. `again`: for further iterations of the same stage, from where the last ones ended; `completion`:
-    // after an iteration whose state something looks at
-    Passes begin, again, before_first, before, refresh, first_iteration, iteration, completion, end;
-    std::array<const Passes*, 7> lists() const {
-      return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &end};
+    // after an iteration whose state something looks at; `check`: after the last one, where tissue may touch tissue
+    Passes begin, again, before_first, before, refresh, first_iteration, iteration, completion, check, end;
+    std::array<const Passes*, 8> lists() const {
+      return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &check, &end};
     }
     bool recorded() const { return !begin.empty(); }
   };
   // The same in few dispatches, where passes can be fused. `first`: the first iteration with the passes before it.
   struct FusedStep {
-    gl::FusedPasses begin, again, first, refresh, iteration, end;
+    gl::FusedPasses begin, again, first, refresh, iteration, check, end;
   };
   // A kind of steps, recorded when it is first needed.
   struct StepKind {

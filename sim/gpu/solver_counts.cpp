@@ -46,6 +46,7 @@ std::uint64_t GpuSolver::dispatches_per_step() const {
   if (whole_kind().fused) {
     const FusedStep& fused = *whole_kind().fused;
     std::uint64_t count = fused.begin.dispatches(1) + fused.first.dispatches(1) + fused.end.dispatches(1);
+    if (!whole_kind().passes.check.empty()) count += fused.check.dispatches(1);
     count += refreshes() * fused.refresh.dispatches(1);
     for (int i = 1; i < settings_.iterations; i = alike_from(i))
       count += fused.iteration.dispatches(static_cast<std::uint32_t>(alike_from(i) - i));
@@ -56,7 +57,7 @@ std::uint64_t GpuSolver::dispatches_per_step() const {
   const std::uint64_t iterations =
       passes.before_first.size() + others * passes.before.size() + passes.first_iteration.size() +
       (settings_.iterations - 1) * passes.iteration.size() + refreshes() * passes.refresh.size();
-  return settings_.stages_per_step() * (passes.begin.size() + iterations + passes.end.size());
+  return settings_.stages_per_step() * (passes.begin.size() + iterations + passes.check.size() + passes.end.size());
 }
 
 }  // namespace fascia

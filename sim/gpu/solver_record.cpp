@@ -62,6 +62,7 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
                    joined({&passes.before_first, &passes.first_iteration}),
                    joined({&passes.refresh}),
                    joined({&passes.before, &passes.iteration}),
+                   joined({&passes.check}),
                    joined({&passes.end})};
 }
 
@@ -109,10 +110,11 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   passes.first_iteration = iteration(r, true);
   passes.iteration = iteration(r, false);
   passes.completion = method_->complete_iteration(r);
-  passes.end = method_->end(r);
+  Passes& last = contact_.searches() ? passes.check : passes.end;
+  last = method_->end(r);
   if (stop_) {
     stop_->record(r, passes.before_first, passes.before,
-                  {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.completion, &passes.end});
+                  {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.completion, &last});
     before_every_ = stop_->interval();
   }
   append(passes.end, r.endings());

@@ -126,6 +126,18 @@ void GpuSolver::iterate_all() {
     iterate(i, count);
     i += count;
   }
+  end_iterations();
+}
+
+// Where tissue may touch tissue: takes the last iteration back if it raised the objective, and lets bodies that touch
+// go on as wholes.
+void GpuSolver::end_iterations() {
+  if (kind_->passes.check.empty()) return;
+  if (const FusedStep* fused = fused_step())
+    fused->check.run();
+  else
+    run(kind_->passes.check);
+  if (touches()) contact_.translate_bodies(stage_.length, buffers_);
 }
 
 void GpuSolver::solve_stage(const IntegratorStage& stage) {
@@ -301,6 +313,7 @@ std::vector<Diagnostics> GpuSolver::traced_substep() {
     run(kind_->passes.completion);
     diagnose();
   }
+  end_iterations();
   end_stage();
   earlier_step_ = 0;
   return trace;

@@ -82,11 +82,18 @@ struct NewtonSolver::Impl {
   /// Of a step from `start` under the forces in `memory`; `end`: where velocities lead, if anything `moves`.
   std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const std::vector<Vector3d>& end,
                                                     const std::vector<double>& stiffness, const ToolMotion& motion,
-                                                    ContactMemory& memory, bool moves = false) {
+                                                    ContactMemory& memory, bool moves = false,
+                                                    const Vector3d& fall = {0, 0, 0}) {
     memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
+    std::vector<Vector3d> path = end;
+    if (moves && !pairs.empty()) {
+      const std::vector<char> carried = pairs.carried(before);
+      for (std::size_t v = 0; v < path.size(); ++v)
+        if (falls[v] && carried[v]) path[v] -= fall;
+    }
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                           pairs.find(vectors_of(start), end, before),
+                                           pairs.find(vectors_of(start), path, before),
                                            moves ? end : std::vector<Vector3d>());
   }
   /// After pairs.misses().
@@ -199,10 +206,11 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   std::vector<Vector3d> aim;
   if (touches()) {
     aim = vectors_of(old + stage.duration * velocity);
+    const Vector3d fall = stage.duration * stage.duration * model.gravity;
     for (std::size_t v = 0; v < aim.size(); ++v)
-      if (falls[v]) aim[v] += stage.duration * stage.duration * model.gravity;
+      if (falls[v]) aim[v] += fall;
     place_prescribed(model, state.time + stage.duration, aim);
-    potential.contact = contact_from(old, aim, penalty, motion, state.contact, true);
+    potential.contact = contact_from(old, aim, penalty, motion, state.contact, true, fall);
   }
 
   // The inertial prediction is the better start, but not if it inverts tets.

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "sim/contact/tissue_surface.h"
-#include "sim/gpu/contact/free_groups.h"
 
 namespace fascia {
 namespace {

@@ -9,6 +9,8 @@
 
 namespace fascia {
 
+inline constexpr std::uint32_t kNoBody = ~0u;  // NO_BODY of shaders/sim/contact
+
 class BodyStarts {
  public:
   BodyStarts() = default;

@@ -195,31 +195,11 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
 }
 
 EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  Passes passes;
-  if (!pairs_.empty()) {
-    const std::uint32_t lanes = programs.sums_in_groups() ? Reduction::kGroup : 1;
-    passes
-        .emplace_back(
-            programs.compute("sim/contact/contact_momentum.comp"),
-            gl::ComputePass::Bindings{{"step", &buffers.step},
-                                      {"contact_groups", &groups_.groups()},
-                                      {"contact_bodies", &starts_.bodies()},
-                                      {"contact_body", &starts_.body_of_vertex()},
-                                      {"contact_near", &near_},
-                                      {"rest_position", &buffers.rest_position},
-                                      {"predicted", &buffers.predicted},
-                                      {"displacement", &buffers.displacement}},
-            groups_.body_count() * lanes,
-            gl::ComputePass::Constants{
-                {"bodies", groups_.body_count()}, {"points", point_count()}, {"vertex_count", buffers.vertex_count}})
-        .loops((3 * buffers.vertex_count + point_count()) / lanes + 4);
-  }
-  passes.push_back(over_near(programs, "sim/contact/contact_finish.comp",
-                             {{"displacement", &buffers.displacement},
-                              {"contact_memory_now", &buffers.contact_memory},
-                              {"contact_row", &rows_},
-                              {"contact_force", &forces_}}));
-  return passes;
+  return {over_near(programs, "sim/contact/contact_finish.comp",
+                    {{"displacement", &buffers.displacement},
+                     {"contact_memory_now", &buffers.contact_memory},
+                     {"contact_row", &rows_},
+                     {"contact_force", &forces_}})};
 }
 
 std::uint32_t ContactTerm::curvature_partials(const gl::ProgramCache& programs) const {

@@ -117,7 +117,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
   starts_ = BodyStarts(model, buffers, first_vertices);
-  if (!pairs_.empty()) groups_ = FreeGroups(model, buffers);
+  if (!pairs_.empty()) translations_ = BodyTranslations(model, buffers);
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.row_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -179,6 +179,7 @@ void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
   pairs_.materials_changed(model, std::span(softened).subspan(surface_.row_count));
   if (softened != left) buffers.upload_contact(softened);
   starts_.materials_changed(model);
+  if (!pairs_.empty()) translations_.materials_changed(model);
 }
 
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration,
@@ -186,20 +187,32 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, double dura
   if (!acts()) return;
   read_list_.clear();
   if (!surface_.empty()) place_pieces(motion);
+  motion_ = motion;
   if (!pairs_.empty()) {
     const bool had_pairs = !pairs_.rows().empty();
     pairs_.begin(time, duration, buffers, surface_.row_count);
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
-    groups_.begin(pairs_.rows(), springs);
+    translations_.begin(springs);
   }
   starts_.begin(model_.gravity, pairs_);
+}
+
+void ContactTerm::translate_bodies(double length, SimBuffers& buffers) const {
+  if (pairs_.rows().empty()) return;
+  std::vector<Vector3d> u = buffers.download_vectors(buffers.displacement);
+  ContactMemory before = buffers.contact_forces(buffers.contact_before);
+  for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;
+  const Eigen::VectorXd start =
+      Eigen::Map<const Eigen::VectorXd>(pairs_.start().data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
+  translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows()),
+                     buffers.download_vectors(buffers.predicted), length, u);
+  buffers.upload_displacements(u);
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {
   if (!pairs_.search_again(buffers, surface_.row_count)) return false;
   read_list_.clear();
   upload_pairs();
-  groups_.join(pairs_.rows());
   starts_.stay();
   return true;
 }

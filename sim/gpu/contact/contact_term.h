@@ -12,7 +12,7 @@
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
 #include "sim/gpu/contact/body_starts.h"
-#include "sim/gpu/contact/free_groups.h"
+#include "sim/gpu/contact/body_translations.h"
 #include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
@@ -37,6 +37,9 @@ class ContactTerm : public EnergyTerm {
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
+  /// After the iterations of a stage of this length [s]: moves bodies that touch others as wholes
+  /// (body_translations.h). Waits for the GPU where there are pairs.
+  void translate_bodies(double length, SimBuffers& buffers) const;
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
@@ -118,12 +121,13 @@ class ContactTerm : public EnergyTerm {
   std::vector<Tool> tools_;
   ContactSurface surface_;
   PairStage pairs_;
+  ToolMotion motion_;                              // in the stage
   using Entry = std::array<std::uint32_t, 2>;      // shaders/sim/contact/entry.glsl
   std::vector<std::vector<Entry>> point_entries_;  // [vertex]
   double half_thickness_ = 0, margin_ = 0;         // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                              // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
-  FreeGroups groups_;                                 // where tissue touches tissue
+  BodyTranslations translations_;                     // where tissue touches tissue
   std::uint32_t most_entries_ = 0;                    // of a vertex, two points each
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points

@@ -65,7 +65,11 @@ void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
   buffers.contact_memory.download(sizeof(vec4) * first_row, sizeof(vec4) * row_count(), before_.data());
   std::vector<ContactForce> forces;
   for (const vec4& force : before_) forces.push_back({{force.x, force.y, force.z}, force.w});
-  rows_ = timed([&] { return search_.find(start_, end_, forces); });
+  std::vector<Vector3d> path = end_;
+  const std::vector<char> carried = search_.carried(forces);
+  for (std::size_t v = 0; v < path.size(); ++v)
+    if (falls_[v] && carried[v]) path[v] -= duration_ * duration_ * model_.gravity;
+  rows_ = timed([&] { return search_.find(start_, path, forces); });
   upload_forces(buffers, first_row);
 }
 

@@ -30,6 +30,7 @@ class PairStage {
   long taken_back() const { return taken_back_; }  // in how many stages so far
 
   const std::vector<PairRow>& rows() const { return rows_; }
+  const std::vector<Eigen::Vector3d>& start() const { return start_; }  // [vertex] u as the stage began [m]
   double search_ms() const { return search_ms_; }  // that all searches so far took, without waiting for the GPU
   /// Lowers the shares [body] of the way to where velocities lead to those at which the body meets another, or itself.
   /// Bodies that press each other, or meet, go together: `leaders` [body] gets the first body of each such group, whose

@@ -1,0 +1,138 @@
+// Bodies that touch go on as wholes: they keep their momentum, and slide where nothing holds them.
+#include "sim/gpu/contact/body_translations.h"
+
+#include <catch2/catch.hpp>
+
+#include "sim/gpu/solver.h"
+#include "tests/sim/gpu/contact/contact_scenes.h"
+#include "tests/support/gpu/gpu_fixture.h"
+#include "tests/support/touching_bodies.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+using test::cube;
+using test::make_model;
+using test::soft_tissue;
+using test::two_level;
+
+// Cubes of 2 and 3 cm that meet off their middles, at 0.6 m/s.
+Model stiff_cubes(double young_modulus) {
+  const Model first = test::moved(cube(0.02, 2, soft_tissue(young_modulus)), {0, 0.004, 0.002}, {0.5, 0, 0});
+  Model second = test::moved(cube(0.03, 3, soft_tissue(young_modulus)), {0.0245, 0, 0}, {-0.1, 0, 0});
+  second.rest_positions.emplace_back(0.03, 0.02, 0.02);  // of no tet
+  second.initial_velocity.emplace_back(0, 0, 0);
+  Model model = test::beside(first, second, "second");
+  model.gravity.setZero();
+  return model;
+}
+
+Vector3d momentum_of(const Model& model, const State& state) {
+  const std::vector<double> masses = lumped_masses(model);
+  Vector3d sum(0, 0, 0);
+  for (std::size_t v = 0; v < masses.size(); ++v) sum += masses[v] * state.velocity[v];
+  return sum;
+}
+
+// A cube of 8 cm that slides at 0.25 m/s, without friction and not turned, over a slab that lies on the ground or is
+// held from below: edges pass over vertices all the time.
+Model sliding_cube(bool held) {
+  const Material tissue = soft_tissue(1e5);
+  const Model slab =
+      make_model(make_box(12, 3, 8, {0.3, 0.05, 0.2}), tissue, [&](const Vector3d& x) { return held && x.y() < 1e-9; });
+  const Model second = make_model(make_box(4, 4, 4, {0.08, 0.08, 0.08}), tissue, [](const Vector3d&) { return false; });
+  Model model = test::beside(slab, test::moved(second, {0.06, 0.0525, 0.06}, {0.25, 0, 0}), "cube");
+  model = test::moved(model, {0, 0.0005, 0});
+  model.gravity = {0, -9.81, 0};
+  model.contact.friction = 0;
+  model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0)};
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("stiff cubes that collide keep their momentum after ten iterations", "[gpu][contact]") {
+  const auto loads = GENERATE(gl::LoadPath::texel, gl::LoadPath::storage);
+  const double young_modulus = GENERATE(2e4, 2e5, 2e6, 1e8);
+  test::Gpu gpu(loads);
+  const Model model = stiff_cubes(young_modulus);
+  GpuSolver solver(gpu.programs, model, two_level());
+  const Vector3d before = momentum_of(model, solver.download());
+  for (int i = 0; i < 12; ++i) {
+    solver.step();
+    const Vector3d now = momentum_of(model, solver.download());
+    CAPTURE(gl::name_of(loads), young_modulus, i, before.transpose(), now.transpose());
+    REQUIRE((now - before).norm() < 1e-5 * before.norm());
+  }
+  const double first = solver.download().velocity.front().x();
+  CAPTURE(young_modulus, first);
+  CHECK(first < 0.2);  // of 0.5 m/s: they met
+}
+
+TEST_CASE("a cube that slides without friction keeps its speed after ten iterations", "[gpu][contact]") {
+  const bool held = GENERATE(true, false);
+  const Integrator integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2);
+  test::Gpu gpu;
+  const Model model = sliding_cube(held);
+  SolverSettings settings = two_level();
+  settings.integrator = integrator;
+  GpuSolver solver(gpu.programs, model, settings);
+  for (int i = 0; i < 20; ++i) solver.step();
+  const Vector3d momentum = momentum_of(model, solver.download());
+  const double mass = 1000 * 0.08 * 0.08 * 0.08;
+  CAPTURE(held, name_of(integrator), momentum.transpose());
+  CHECK(test::mean_displacement_of_second(model, solver.download()).x() ==
+        Approx(0.25 * 20.0 / 60).epsilon(0.03));  // mutual catches of faces stop it within 4 cm
+  if (!held) CHECK(momentum.x() == Approx(mass * 0.25).epsilon(1e-3));
+}
+
+TEST_CASE("the best translations balance inertia, contact and friction", "[contact]") {
+  const Vector3d up(0, 1, 0);
+  const double length = 0.1;
+  const auto contact = [&](std::array<std::uint32_t, 2> bodies, double bound) {
+    return BodyContact{bodies, up, 400, 0, 0.01, up, {0, 0, 0}, 40, bound};
+  };
+  SECTION("on a plane: each direction by itself") {
+    const std::vector<BodyInertia> bodies{{2, {0.06, -0.002, 0}}};
+    const Vector3d way = best_translations(bodies, {contact({0, BodyContact::kTool}, 0)}, length)[0];
+    // 2 / 0.01 d = -0.2 + 400 (0.01 - d)
+    CHECK((way - Vector3d(0.03, 3.8 / 600, 0)).norm() < 1e-9);
+  }
+  SECTION("friction that holds, and friction that slides") {
+    const std::vector<BodyInertia> bodies{{2, {0.06, 0, 0}}};
+    const auto along = [&](double bound) {
+      return best_translations(bodies, {contact({0, BodyContact::kTool}, bound)}, length)[0].x();
+    };
+    CHECK(along(100) == Approx(6.0 / 240));  // 200 d + 40 d = 6
+    CHECK(along(0.5) == Approx(5.5 / 200));  // 200 d + 0.5 = 6
+  }
+  SECTION("two bodies: momentum is kept, and one that stays does not move") {
+    const std::vector<BodyInertia> both{{2, {0, -0.004, 0.01}}, {3, {0, 0.003, 0}}};
+    const std::vector<Vector3d> ways = best_translations(both, {contact({0, 1}, 0.3)}, length);
+    CHECK((2 * ways[0] + 3 * ways[1] - Vector3d(0, -0.001, 0.01)).norm() < 1e-12);
+    CHECK(ways[0].y() > ways[1].y());
+    const std::vector<BodyInertia> one{{2, {0, -0.004, 0.01}}, {}};
+    CHECK(best_translations(one, {contact({0, 1}, 0.3)}, length)[1].norm() == 0);
+  }
+  SECTION("many points of which a few press: exact in a few rounded steps") {
+    std::vector<BodyContact> contacts;
+    for (int i = 0; i < 200; ++i) {
+      BodyContact c = contact({0, BodyContact::kTool}, 0);
+      c.normal = c.slip_normal = Vector3d(0.05 * std::sin(i), 1, 0.05 * std::cos(3 * i)).normalized();
+      c.stiffness = 8e4;
+      c.depth = 1e-5 * std::sin(1.7 * i);
+      contacts.push_back(c);
+    }
+    const std::vector<BodyInertia> bodies{{0.5, {0.5 * 4e-3, -0.5 * 2.7e-3, 0}}};
+    const Vector3d way = best_translations(bodies, contacts, 1.0 / 60)[0];
+    Vector3d missing = 3600 * (bodies[0].missing - 0.5 * way);  // and what contact adds is nothing
+    const double weight = missing.norm();
+    for (const BodyContact& c : contacts)
+      missing += std::max(0.0, c.stiffness * (c.depth - c.normal.dot(way))) * c.normal;
+    CAPTURE(way.transpose(), missing.transpose(), weight);
+    CHECK(missing.norm() < 1e-3 * weight);
+  }
+}
+
+}  // namespace fascia
