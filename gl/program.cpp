@@ -44,6 +44,8 @@ LoadPath fitting_load_path() {
                                                                                        : LoadPath::storage;
 }
 
+Sums fitting_sums() { return device().software ? Sums::in_invocations : Sums::in_groups; }
+
 // Drivers that link on their own threads wait for them when the result is queried.
 struct Program::Link {
   struct Stage {
@@ -111,10 +113,6 @@ void Program::set_matrix(const char* name, const float* column_major_4x4) const 
 
 ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path, Sums sums)
     : folder_(std::move(folder)), load_path_(load_path), sums_(sums) {}
-
-ProgramCache::ProgramCache(std::filesystem::path folder, LoadPath load_path)
-    : ProgramCache(std::move(folder), load_path,
-                   load_path == LoadPath::texel && device().software ? Sums::in_invocations : Sums::in_groups) {}
 
 // A program that is in use outlives its deletion. NVIDIA's driver (580) then lets draws with later programs get lost.
 ProgramCache::~ProgramCache() {

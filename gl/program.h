@@ -23,6 +23,8 @@ LoadPath fitting_load_path();
 /// Who adds the terms of sums. The groups of GPUs do so in their shared memory, which costs software renderers 20 times
 /// as much as an invocation that adds on its own. The two orders differ in rounding.
 enum class Sums { in_groups, in_invocations };
+/// By the device alone, so that states do not depend on the load path. Needs a current context.
+Sums fitting_sums();
 
 class ProgramCache;
 
@@ -83,9 +85,7 @@ class ProgramCache {
  public:
   /// `folder` is the shaders folder. `load_path` becomes READ_TEXELS 0 or 1 in every program, and TEXELS_IN_ORDER is 1
   /// on llvmpipe, where the fetches and stores of an invocation run in program order. `sums` becomes SUMS_IN_GROUPS.
-  ProgramCache(std::filesystem::path folder, LoadPath load_path, Sums sums);
-  /// With the sums that suit the device.
-  ProgramCache(std::filesystem::path folder, LoadPath load_path);
+  ProgramCache(std::filesystem::path folder, LoadPath load_path, Sums sums = fitting_sums());
   ~ProgramCache();
   ProgramCache(const ProgramCache&) = delete;
   ProgramCache& operator=(const ProgramCache&) = delete;

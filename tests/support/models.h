@@ -80,6 +80,14 @@ inline double farthest(const State& a, const State& b) {
   return distance;
 }
 
+/// The number of vertices whose displacement or velocity differs, be it by one bit.
+inline std::size_t differences(const State& a, const State& b) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < a.displacement.size(); ++v)
+    count += a.displacement[v] != b.displacement[v] || a.velocity[v] != b.velocity[v];
+  return count;
+}
+
 /// Whether a place is on the side x = 0, by which most boxes are held.
 inline bool at_left_end(const Eigen::Vector3d& x) { return x.x() < 1e-9; }
 

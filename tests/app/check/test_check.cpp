@@ -10,6 +10,8 @@
 #include "app/check/check_folder.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -99,6 +101,29 @@ TEST_CASE("check: one broken scene does not stop the others, and goldens make th
   INFO(parsed.err);
   CHECK(parsed.out == "3 0 1\nbroken True True\ncube True False\nsoft <cube> & \"co\" True False\n");
   CHECK(check(folder.path(), {"--only", "nothing like it"}).exit_code == 1);
+}
+
+// A column that buckles, whose motion makes 0.07 of its size of a rounding, and contact with friction.
+TEST_CASE("check: goldens made with one load path hold to the bit with the other", "[check]") {
+  const TemporaryFolder folder;
+  write_mesh(folder / "column.msh", make_box(3, 24, 3, {0.04, 0.5, 0.04}));
+  write_file(
+      folder / "column.json",
+      R"({"fascia_scene": 1, "bodies": [{"mesh": "column.msh", "fixed": [{"box": [[-1, -0.01, -1], [1, 0.001, 1]]}],
+    "materials": {"default": {"young_modulus": 30000, "damping": 0}}}]})");
+  write_file(folder / "check.json", R"({"fascia_check": 1, "defaults": {"size": [64, 48], "samples": 1, "steps": 60,
+    "max_mean": 0, "max_share": 0, "state_tolerance": 0, "contact_tolerance": 0}, "scenes": {
+    "column": {"steps": 120}, "pressed": {"scene": ")" +
+                                        shipped("palpation.json") + R"("}}})");
+  const char* const made_with = GENERATE("ssbo", "texel");
+  const std::string checked_with = made_with == std::string("ssbo") ? "texel" : "ssbo";
+  CAPTURE(made_with);
+  REQUIRE(check(folder.path(), {"--update", "--loads", made_with}).exit_code == 0);
+  CHECK(fs::exists(folder / "pressed.golden.contact.csv"));
+  const CommandResult result = check(folder.path(), {"--loads", checked_with});
+  INFO(result.out << result.err);
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "2 scenes, 0 failed"));
 }
 
 TEST_CASE("check: scenes at the same time have the results and the order of one after the other", "[check]") {

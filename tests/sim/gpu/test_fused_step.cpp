@@ -23,13 +23,6 @@ Model crushed(int cells, double damping) {
   return model;
 }
 
-std::size_t differences(const State& a, const State& b) {
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < a.displacement.size(); ++v)
-    count += a.displacement[v] != b.displacement[v] || a.velocity[v] != b.velocity[v];
-  return count;
-}
-
 struct Compared {
   Gpu gpu;
   gl::ProgramCache fusing{source_dir() / "shaders", gl::LoadPath::texel};
@@ -45,7 +38,7 @@ struct Compared {
     alone.step();
     fused.step();
   }
-  std::size_t differences() const { return ::differences(alone.download(), fused.download()); }
+  std::size_t differences() const { return test::differences(alone.download(), fused.download()); }
 };
 
 }  // namespace

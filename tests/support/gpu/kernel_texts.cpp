@@ -89,7 +89,7 @@ std::map<KernelName, std::string> kernel_texts() {
       });
   const Swapped indirect(
       gl::DispatchComputeIndirect, +[](GLintptr) {});
-  gl::ProgramCache programs(source_dir() / "shaders", gl::LoadPath::storage);
+  gl::ProgramCache programs(source_dir() / "shaders", gl::LoadPath::storage, gl::Sums::in_groups);
   for (const KernelCase& example : kernel_cases()) run_all(example, programs);
   programs.compute("draw/normals.comp");
   return all.kernels;
