@@ -140,7 +140,7 @@ TEST_CASE("the momentum of a mesh drifts exactly as averaging makes it drift", "
   CHECK((got - expected).norm() < 1e-4 * expected.norm());
 }
 
-TEST_CASE("the same steps give the same bits: for every run and context, and for both load paths if there are no sums",
+TEST_CASE("the same steps give the same bits: for every run and context, and as on graphics cards if there are no sums",
           "[gpu]") {
   const SolverChoice pair = any_pair();
   CAPTURE(name_of(pair.method), name_of(pair.acceleration));
@@ -159,7 +159,7 @@ TEST_CASE("the same steps give the same bits: for every run and context, and for
   CHECK(same(positions(gl::LoadPath::texel, context_names().back())));
   const auto storage = positions(gl::LoadPath::storage, context_names().front());
   if (pair.acceleration == Acceleration::none) CHECK(same(storage));
-  // Sums over all vertices have another order there.
+  // The order of sums over all vertices is that of graphics cards.
   double largest_difference = 0, largest_value = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     largest_difference = std::max<double>(largest_difference, std::abs(a[i].y - storage[i].y));
