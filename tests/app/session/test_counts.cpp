@@ -56,12 +56,10 @@ TEST_CASE("counts of the shipped scenes", "[counts]") {
 }
 
 TEST_CASE("dispatches of a step by storage blocks, as on graphics cards", "[counts]") {
-  CommonOptions options = headless();
-  options.loads = "ssbo";
-  Graphics graphics = open_graphics(options, false);
+  const Graphics graphics = open_graphics(headless(), false);
+  gl::ProgramCache programs(graphics.data_dir / "shaders", gl::LoadPath::storage, gl::Sums::in_groups);
   const auto dispatches = [&](const std::string& scene, const std::vector<std::string>& settings) {
-    Simulation simulation(open_scene(source_dir() / "assets/scenes" / (scene + ".json"), settings),
-                          graphics.programs.get(), false);
+    Simulation simulation(open_scene(source_dir() / "assets/scenes" / (scene + ".json"), settings), &programs, false);
     simulation.gpu()->step();
     return simulation.gpu()->dispatches_per_step();
   };
