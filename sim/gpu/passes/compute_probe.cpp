@@ -1,10 +1,10 @@
 #include "sim/gpu/passes/compute_probe.h"
 
-#include <array>
 #include <numeric>
 
 #include "base/error.h"
 #include "gl/compute_pass.h"
+#include "sim/gpu/passes/probe_words.h"
 #include "sim/mesh/mesh_generate.h"
 
 namespace fascia {
@@ -15,19 +15,17 @@ constexpr const char* kExpected = "expected a device that computes; --context os
 }  // namespace
 
 void require_computing(gl::ProgramCache& programs) {
-  constexpr std::array<std::uint32_t, 4> kWords{0x3f9d70a4, 0x00c0ffee, 0x5eed0001, 0xfffffff7};
-  constexpr std::uint32_t kRepeats = 64;
-  const gl::Buffer filled("probe", kRepeats * sizeof kWords);
+  const gl::Buffer filled("probe", kProbeRepeats * sizeof kProbeWords);
   const gl::ComputePass pass(
-      programs.compute("common/fill.comp"), {{"filled", &filled}}, kRepeats,
-      {{"word_0", kWords[0]}, {"word_1", kWords[1]}, {"word_2", kWords[2]}, {"word_3", kWords[3]}});
+      programs.compute("common/fill.comp"), {{"filled", &filled}}, kProbeRepeats,
+      {{"word_0", kProbeWords[0]}, {"word_1", kProbeWords[1]}, {"word_2", kProbeWords[2]}, {"word_3", kProbeWords[3]}});
   pass.run();
   gl::Buffer copied = gl::Buffer::staging("probe_copy", filled.bytes());
   copied.copy(filled, filled.bytes());
   for (const gl::Buffer* buffer : std::array<const gl::Buffer*, 2>{&filled, &copied}) {
     const auto words = buffer->read<std::uint32_t>();
     for (std::size_t k = 0; k < words.size(); ++k)
-      if (words[k] != kWords[k % kWords.size()])
+      if (words[k] != kProbeWords[k % kProbeWords.size()])
         throw Error(
             gl::device().renderer,
             buffer == &filled ? "a kernel that ran left nothing in its buffer" : "a copy of a buffer is not the buffer",

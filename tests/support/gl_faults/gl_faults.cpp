@@ -1,17 +1,21 @@
-// Preloaded into fascia with --context osmesa: makes OpenGL fail as FASCIA_FAULT says. "drop:N": dispatches from the
-// Nth on do nothing; "allocation:N": the Nth buffer has no room; "link:N": the Nth program does not link; "lost:N": the
-// context is lost at the Nth dispatch; "garbage:N": reads from the Nth on return 0xff. Numbers begin at 1. Prints the
-// number of such calls at the end, "0 of the fault", to FASCIA_FAULT_COUNT.
+// Preloaded into fascia: makes OpenGL fail as FASCIA_FAULT says. "drop:N": dispatches from the Nth on do nothing;
+// "allocation:N": the Nth buffer has no room; "link:N": the Nth program does not link; "lost:N": the context is lost at
+// the Nth dispatch; "garbage:N": reads from the Nth on return 0xff; "trusted:N": reads from the Nth on that may be the
+// probe's find a device that computes (sim/gpu/passes/compute_probe.h). Numbers begin at 1. Prints the number of such
+// calls at the end, "0 of the fault", to FASCIA_FAULT_COUNT.
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES
 #endif
 #include <GL/glcorearb.h>
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+
+#include "sim/gpu/passes/probe_words.h"
 
 namespace {
 
@@ -101,6 +105,8 @@ void get_buffer(GLenum target, GLintptr at, GLsizeiptr bytes, void* data) {
   if (lost) return;  // as the specification permits, nothing is written
   REAL(glGetBufferSubData)(target, at, bytes, data);
   if (fault().is("garbage") && fault().from_now()) std::memset(data, 0xff, static_cast<std::size_t>(bytes));
+  if (bytes == fascia::kProbeRepeats * sizeof fascia::kProbeWords && fault().is("trusted") && fault().from_now())
+    std::fill_n(static_cast<std::array<std::uint32_t, 4>*>(data), fascia::kProbeRepeats, fascia::kProbeWords);
 }
 
 GLenum reset_status() {
@@ -123,7 +129,7 @@ Function replaced(const char* name) {
 
 }  // namespace
 
-// The program finds OSMesa's functions by dlsym(), so that is where the others come in.
+// The program finds OpenGL's functions by dlsym(), so that is where the others come in.
 extern "C" __attribute__((visibility("default"))) void* dlsym(void* handle, const char* name) {
   using Dlsym = void* (*)(void*, const char*);
   static const auto next = [] {
@@ -132,7 +138,8 @@ extern "C" __attribute__((visibility("default"))) void* dlsym(void* handle, cons
     std::abort();
   }();
   void* const found = next(handle, name);
-  if (!found || std::strcmp(name, "OSMesaGetProcAddress") != 0) return found;
+  if (!found || (std::strcmp(name, "OSMesaGetProcAddress") != 0 && std::strcmp(name, "eglGetProcAddress") != 0))
+    return found;
   get_proc = reinterpret_cast<GetProc>(found);
   return reinterpret_cast<void*>(&replaced);
 }
