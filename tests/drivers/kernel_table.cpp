@@ -17,26 +17,34 @@ std::string name_of(const KernelName& kernel) {
 std::string header_of(const std::string& driver) {
   std::string header = "kernel,variant,LDS bytes";
   for (const char* chip : kChips) header += std::string(",") + chip + " registers," + chip + " waves";
-  return header + "," + driver;
+  return header + ",TGL width,TGL instructions," + driver;
 }
 
 }  // namespace
 
 std::vector<std::string> complaints(const KernelTable& table, const KernelTable& now) {
   std::vector<std::string> lines;
-  for (const auto& [kernel, chips] : now)
+  for (const auto& [kernel, figures] : now) {
+    const auto known = table.find(kernel);
     for (std::size_t c = 0; c < kChips.size(); ++c) {
       const std::string where = name_of(kernel) + " on " + kChips[c] + ": ";
-      if (chips[c].spills > 0) lines.push_back(where + "spills " + std::to_string(chips[c].spills));
-      const auto known = table.find(kernel);
+      if (figures.chips[c].spills > 0) lines.push_back(where + "spills " + std::to_string(figures.chips[c].spills));
       if (known == table.end()) continue;
-      const int before = known->second[c].registers, registers = chips[c].registers;
+      const int before = known->second.chips[c].registers, registers = figures.chips[c].registers;
       if (registers > before + kMoreRegisters)
         lines.push_back(where + std::to_string(registers) + " registers instead of " + std::to_string(before));
     }
-  for (const auto& [kernel, chips] : now)
+    const std::string where = name_of(kernel) + " on TGL: ";
+    const IntelFigures& intel = figures.intel;
+    if (intel.spills + intel.fills > 0)
+      lines.push_back(where + std::to_string(intel.spills) + " spills, " + std::to_string(intel.fills) + " fills");
+    if (known != table.end() && intel.width > 0 && intel.width < known->second.intel.width)
+      lines.push_back(where + "SIMD" + std::to_string(intel.width) + " instead of SIMD" +
+                      std::to_string(known->second.intel.width));
+  }
+  for (const auto& [kernel, figures] : now)
     if (!table.contains(kernel)) lines.push_back(name_of(kernel) + ": not in the table");
-  for (const auto& [kernel, chips] : table)
+  for (const auto& [kernel, figures] : table)
     if (!now.contains(kernel)) lines.push_back(name_of(kernel) + ": in the table, but no solver links it");
   return lines;
 }
@@ -50,41 +58,48 @@ StoredTable read_table(const std::filesystem::path& file) {
   while (std::getline(in, line)) {
     const std::vector<std::string_view> cells = csv_cells(line);
     const auto number = [&](std::size_t i) { return std::stoi(std::string(cells.at(i))); };
-    auto& chips = table.kernels[{std::string(cells.at(0)), std::string(cells.at(1))}];
+    auto& [chips, intel] = table.kernels[{std::string(cells.at(0)), std::string(cells.at(1))}];
     for (std::size_t c = 0; c < kChips.size(); ++c) chips[c] = {number(3 + 2 * c), number(4 + 2 * c), number(2), 0};
+    intel = {number(3 + 2 * kChips.size()), number(4 + 2 * kChips.size()), 0, 0};
   }
   return table;
 }
 
 void write_table(const std::filesystem::path& file, const StoredTable& table) {
   std::string text = header_of(table.driver) + "\n";
-  for (const auto& [kernel, chips] : table.kernels) {
-    text += kernel.first + "," + kernel.second + "," + std::to_string(chips[0].lds_bytes);
-    for (const ChipFigures& chip : chips)
+  for (const auto& [kernel, figures] : table.kernels) {
+    text += kernel.first + "," + kernel.second + "," + std::to_string(figures.chips[0].lds_bytes);
+    for (const ChipFigures& chip : figures.chips)
       text += "," + std::to_string(chip.registers) + "," + std::to_string(chip.waves);
-    text += "\n";
+    text += "," + std::to_string(figures.intel.width) + "," + std::to_string(figures.intel.instructions) + "\n";
   }
   write_file(file, text);
 }
 
 std::vector<std::string> summary(const KernelTable& table, int least) {
-  std::map<std::string, KernelTable::const_iterator> most;  // by file
+  const auto registers = [](const auto& row) { return row->second.chips[0].registers; };
+  std::map<std::string, KernelTable::const_iterator> most, narrowest;  // by file
   for (auto it = table.begin(); it != table.end(); ++it) {
     const auto [found, fresh] = most.emplace(it->first.first, it);
-    if (it->second[0].registers > found->second->second[0].registers) found->second = it;
+    if (registers(it) > registers(found->second)) found->second = it;
+    const auto [narrow, first] = narrowest.emplace(it->first.first, it);
+    const IntelFigures &here = it->second.intel, &before = narrow->second->second.intel;
+    if (here.width < before.width || (here.width == before.width && here.instructions > before.instructions))
+      narrow->second = it;
   }
   std::vector<KernelTable::const_iterator> rows;
   for (const auto& [file, row] : most)
-    if (row->second[0].registers > least) rows.push_back(row);
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a->second[0].registers > b->second[0].registers; });
+    if (registers(row) > least) rows.push_back(row);
+  std::stable_sort(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return registers(a) > registers(b); });
   std::vector<std::string> lines;
   for (const auto& row : rows) {
     std::string line =
         "| `" + std::filesystem::path(row->first.first).stem().string() + "` | " + row->first.second + " |";
-    for (const ChipFigures& chip : row->second)
+    for (const ChipFigures& chip : row->second.chips)
       line += " " + std::to_string(chip.registers) + " / " + std::to_string(chip.waves) + " |";
-    lines.push_back(line + " " + std::to_string(row->second[0].lds_bytes) + " |");
+    const IntelFigures& intel = narrowest.at(row->first.first)->second.intel;
+    lines.push_back(line + " " + std::to_string(row->second.chips[0].lds_bytes) + " | " + std::to_string(intel.width) +
+                    " / " + std::to_string(intel.instructions) + " |");
   }
   return lines;
 }

@@ -20,12 +20,26 @@ struct ChipFigures {
   int lds_bytes = 0;  // shared memory of a work group
   int spills = 0;     // spilled registers and bytes of scratch memory; not in the table
 };
-using KernelTable = std::map<KernelName, std::array<ChipFigures, kChips.size()>>;
+
+/// Of Tiger Lake (Xe-LP). The wider, the fewer instructions for as many invocations: the compiler takes the widest code
+/// that fits into 128 registers of 32 bytes.
+struct IntelFigures {
+  int width = 0;  // invocations that an instruction computes at once: SIMD8, 16 or 32
+  int instructions = 0;
+  int spills = 0, fills = 0;  // accesses of registers that are in memory; not in the table
+};
+
+struct KernelFigures {
+  std::array<ChipFigures, kChips.size()> chips;  // 0 without that driver
+  IntelFigures intel;                            // 0 without that driver
+};
+using KernelTable = std::map<KernelName, KernelFigures>;
 
 /// Registers more than in the table that a change of the compiler's order of instructions may cost.
 constexpr int kMoreRegisters = 8;
 
-/// One line for every kernel that spills, needs kMoreRegisters more than in the table, or is in one table only.
+/// One line for every kernel that spills, needs kMoreRegisters more than in the table, is less wide than there, or is
+/// in one table only.
 std::vector<std::string> complaints(const KernelTable& table, const KernelTable& now);
 
 struct StoredTable {
@@ -35,7 +49,8 @@ struct StoredTable {
 StoredTable read_table(const std::filesystem::path& file);
 void write_table(const std::filesystem::path& file, const StoredTable& table);
 
-/// Rows of Markdown: of every kernel with more than `least` registers on the first chip its most demanding variant.
+/// Rows of Markdown: of every kernel with more than `least` registers on the first chip its most demanding variant,
+/// with Intel's figures of its least wide variant.
 std::vector<std::string> summary(const KernelTable& table, int least);
 
 }  // namespace fascia::test
