@@ -14,10 +14,14 @@ std::string name_of(const KernelName& kernel) {
   return kernel.first + (kernel.second.empty() ? "" : " [" + kernel.second + "]");
 }
 
+std::string spills_of(const IntelFigures& figures) {
+  return std::to_string(figures.spills) + " spills and " + std::to_string(figures.fills) + " fills";
+}
+
 std::string header_of(const std::string& driver) {
   std::string header = "kernel,variant,LDS bytes";
   for (const char* chip : kChips) header += std::string(",") + chip + " registers," + chip + " waves";
-  return header + ",TGL width,TGL instructions," + driver;
+  return header + ",TGL width,TGL instructions,TGL spills,TGL fills," + driver;
 }
 
 }  // namespace
@@ -36,11 +40,11 @@ std::vector<std::string> complaints(const KernelTable& table, const KernelTable&
     }
     const std::string where = name_of(kernel) + " on TGL: ";
     const IntelFigures& intel = figures.intel;
-    if (intel.spills + intel.fills > 0)
-      lines.push_back(where + std::to_string(intel.spills) + " spills, " + std::to_string(intel.fills) + " fills");
-    if (known != table.end() && intel.width > 0 && intel.width < known->second.intel.width)
-      lines.push_back(where + "SIMD" + std::to_string(intel.width) + " instead of SIMD" +
-                      std::to_string(known->second.intel.width));
+    const IntelFigures before = known == table.end() ? IntelFigures{} : known->second.intel;
+    if (intel.width > 0 && intel.width < before.width)
+      lines.push_back(where + "SIMD" + std::to_string(intel.width) + " instead of SIMD" + std::to_string(before.width));
+    if (intel.spills > before.spills || intel.fills > before.fills)
+      lines.push_back(where + spills_of(intel) + " instead of " + spills_of(before));
   }
   for (const auto& [kernel, figures] : now)
     if (!table.contains(kernel)) lines.push_back(name_of(kernel) + ": not in the table");
@@ -60,7 +64,8 @@ StoredTable read_table(const std::filesystem::path& file) {
     const auto number = [&](std::size_t i) { return std::stoi(std::string(cells.at(i))); };
     auto& [chips, intel] = table.kernels[{std::string(cells.at(0)), std::string(cells.at(1))}];
     for (std::size_t c = 0; c < kChips.size(); ++c) chips[c] = {number(3 + 2 * c), number(4 + 2 * c), number(2), 0};
-    intel = {number(3 + 2 * kChips.size()), number(4 + 2 * kChips.size()), 0, 0};
+    const std::size_t first = 3 + 2 * kChips.size();
+    intel = {number(first), number(first + 1), number(first + 2), number(first + 3)};
   }
   return table;
 }
@@ -71,7 +76,10 @@ void write_table(const std::filesystem::path& file, const StoredTable& table) {
     text += kernel.first + "," + kernel.second + "," + std::to_string(figures.chips[0].lds_bytes);
     for (const ChipFigures& chip : figures.chips)
       text += "," + std::to_string(chip.registers) + "," + std::to_string(chip.waves);
-    text += "," + std::to_string(figures.intel.width) + "," + std::to_string(figures.intel.instructions) + "\n";
+    const IntelFigures& intel = figures.intel;
+    for (const int figure : {intel.width, intel.instructions, intel.spills, intel.fills})
+      text += "," + std::to_string(figure);
+    text += "\n";
   }
   write_file(file, text);
 }

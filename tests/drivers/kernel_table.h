@@ -26,7 +26,7 @@ struct ChipFigures {
 struct IntelFigures {
   int width = 0;  // invocations that an instruction computes at once: SIMD8, 16 or 32
   int instructions = 0;
-  int spills = 0, fills = 0;  // accesses of registers that are in memory; not in the table
+  int spills = 0, fills = 0;  // stores and loads of registers that do not fit
 };
 
 struct KernelFigures {

@@ -21,12 +21,13 @@ StoredTable compile_all() {
 
 }  // namespace
 
-TEST_CASE("no kernel spills, needs many more registers or is less wide than in the table") {
+TEST_CASE("no kernel spills more, needs many more registers or is less wide than in the table") {
   StoredTable table = read_table(kTable);
   const StoredTable now = compile_all();
+  if (now.driver.empty()) return;
   CHECK(now.kernels.size() > 100);
   if (now.driver != table.driver) {
-    WARN("the table is of " << table.driver << ", not of " << now.driver << ": only spills are compared");
+    WARN("the table is of " << table.driver << ", not of " << now.driver << ": only spills on AMD's chips count");
     table.kernels = now.kernels;
   }
   for (const std::string& line : complaints(table.kernels, now.kernels)) FAIL_CHECK(line);
@@ -59,8 +60,10 @@ TEST_CASE("complaints name the kernel, the chip and the change") {
   CHECK(complaints(table, now) == std::vector<std::string>{"sim/force.comp [damping] on NAVI21: spills 3"});
   now = table;
   now[force].intel = {8, 450, 3, 5};
-  CHECK(complaints(table, now) == std::vector<std::string>{"sim/force.comp [damping] on TGL: 3 spills, 5 fills",
-                                                           "sim/force.comp [damping] on TGL: SIMD8 instead of SIMD16"});
+  CHECK(complaints(table, now) ==
+        std::vector<std::string>{
+            "sim/force.comp [damping] on TGL: SIMD8 instead of SIMD16",
+            "sim/force.comp [damping] on TGL: 3 spills and 5 fills instead of 0 spills and 0 fills"});
   now[force].intel = {};  // without that driver
   CHECK(complaints(table, now).empty());
   now = table;
@@ -100,6 +103,7 @@ TEST_CASE("compilers state the registers, the width and the spills of a kernel")
 
 // Not run by ctest: scripts/update_kernel_figures.sh.
 TEST_CASE("renews the table and prints the rows of the page", "[.renew]") {
+  REQUIRE((compiles_for_amd() && compiles_for_intel()));
   const StoredTable table = compile_all();
   write_table(kTable, table);
   for (const std::string& row : summary(table.kernels, kLeastRegisters)) std::puts(row.c_str());
