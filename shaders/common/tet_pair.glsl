@@ -22,6 +22,12 @@ struct TetPair {
   uint fifth_slot;
 };
 
+// Tet b of two, from tet a: the same as in the pair, for kernels that need it late and hold less until then.
+Tet second_of(TetPair pair) {
+  Tet a = pair.a;
+  return Tet(pair.b.v, a.b2 + pair.d2 * a.b3, a.b1 + pair.d1 * a.b3, -pair.c * a.b3, pair.b.volume);
+}
+
 TetPair load_pair(uint i) {
   bool two = i < pair_count;
   uint ta = i, tb = two ? second_begin + i : ta;
@@ -38,12 +44,43 @@ struct PairGradient {
   mat3 a, b;
 };
 
+// w of a field.
+vec3 bend(TetPair pair, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) {
+  return pair.d1 * (s1 - s0) + pair.d2 * (s2 - s0) - (x - s0) - pair.c * (y - s0);
+}
+
+// The gradient in tet b, from that in tet a.
+mat3 across(TetPair pair, mat3 a, vec3 w) {
+  vec3 normal = pair.a.b3;
+  return mat3(a[0] + w * normal.x, a[1] + w * normal.y, a[2] + w * normal.z);
+}
+
 PairGradient gradients(TetPair pair, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) {
   mat3 a = displacement_gradient(pair.a, s0, s1, s2, x);
-  vec3 w = pair.d1 * (s1 - s0) + pair.d2 * (s2 - s0) - (x - s0) - pair.c * (y - s0), normal = pair.a.b3;
-  return PairGradient(a, mat3(a[0] + w * normal.x, a[1] + w * normal.y, a[2] + w * normal.z));
+  return PairGradient(a, across(pair, a, bend(pair, s0, s1, s2, x, y)));
 }
 
 #define GRADIENTS(pair, field)                                                                                    \
   gradients(pair, FETCH(field, pair.a.v.x).xyz, FETCH(field, pair.a.v.y).xyz, FETCH(field, pair.a.v.z).xyz, \
             FETCH(field, pair.a.v.w).xyz, FETCH(field, pair.b.v.w).xyz)
+
+// Both tets one after the other: `statement` for bool second = false and, where there are two, true. In a loop on
+// graphics cards, whose compilers would otherwise hold numbers of both tets at once and spill some; on software
+// renderers the loop costs more.
+#if SUMS_IN_GROUPS
+#define FOR_TETS_OF_PAIR(second, two, statement)          \
+  for (uint tet_k = 0u; tet_k < ((two) ? 2u : 1u); ++tet_k) { \
+    bool second = tet_k == 1u;                            \
+    statement                                             \
+  }
+#else
+#define FOR_TETS_OF_PAIR(second, two, statement) \
+  {                                              \
+    const bool second = false;                   \
+    statement                                    \
+  }                                              \
+  if (two) {                                     \
+    const bool second = true;                    \
+    statement                                    \
+  }
+#endif

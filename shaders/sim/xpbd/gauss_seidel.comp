@@ -27,7 +27,8 @@ void main() {
     return;
   }
 #endif
-  BlockStep s = solve_block(t, tet, h, vec4(u0.w, u1.w, u2.w, u3.w), lambda_d, lambda_s, Sym3(vec3(0.0), vec3(0.0)));
+  BlockStep s = solve_block(t, tet, h, deformation_of(h, material_of(t)), vec4(u0.w, u1.w, u2.w, u3.w), lambda_d, lambda_s,
+                            Sym3(vec3(0.0), vec3(0.0)));
   STORE3(multiplier[2u * t], lambda_d + s.change_d)
   STORE3(multiplier[2u * t + 1u], lambda_s + s.change_s)
   // Constrained vertices may be shared within a color: they do not move, so they are not written.

@@ -26,36 +26,64 @@ Multiplier6 multiplier_of(uint t) {
 #endif
 }
 
-// Returns the corrections and stores the multiplier.
-BlockStep solve(uint t, bool stored, Tet tet, mat3 h, vec4 inverse_mass, Sym3 foreseen) {
+// Returns the corrections and stores the multiplier. `step`: gradient of the primal step.
+BlockStep solve(uint t, Tet tet, mat3 h, mat3 step, vec4 inverse_mass) {
+  Deformation deformation = deformation_of(h, material_of(t));
+#if EXACT
+  Sym3 foreseen = strain_change(deformation.f, step);
+#else
+  Sym3 foreseen = Sym3(vec3(0.0), vec3(0.0));
+#endif
   Multiplier6 before = multiplier_of(t);
-  BlockStep s = solve_block(t, tet, h, inverse_mass, before.d, before.s, foreseen);
-  if (stored) {
-    STORE3(multiplier[2u * t], before.d + s.change_d)
-    STORE3(multiplier[2u * t + 1u], before.s + s.change_s)
-  }
+  BlockStep s = solve_block(t, tet, h, deformation, inverse_mass, before.d, before.s, foreseen);
+  STORE3(multiplier[2u * t], before.d + s.change_d)
+  STORE3(multiplier[2u * t + 1u], before.s + s.change_s)
   return s;
+}
+
+// Of a vertex field in one tet of a pair.
+#define GRADIENT(pair, second, field)                                                                                        \
+  one_gradient(pair, second, FETCH(field, pair.a.v.x).xyz, FETCH(field, pair.a.v.y).xyz, FETCH(field, pair.a.v.z).xyz, \
+               FETCH(field, pair.a.v.w).xyz, FETCH(field, pair.b.v.w).xyz)
+mat3 one_gradient(TetPair pair, bool second, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) {
+  mat3 a = displacement_gradient(pair.a, s0, s1, s2, x);
+  return second ? across(pair, a, bend(pair, s0, s1, s2, x, y)) : a;
+}
+
+struct Corrections {
+  vec3 s0, s1, s2;
+};
+
+void solve_one(uint i, bool second, uvec4 slot, inout Corrections sum) {
+  TetPair pair = load_pair(i);
+  Tet tet = pair.a;
+  if (second) tet = second_of(pair);
+  mat3 h = GRADIENT(pair, second, displacement), step = mat3(0.0);
+#if EXACT
+  step = GRADIENT(pair, second, primal_step);
+#endif
+  BlockStep s = solve(second ? pair.tb : pair.ta, tet, h, step,
+                      vec4(FETCH(displacement, tet.v.x).w, FETCH(displacement, tet.v.y).w, FETCH(displacement, tet.v.z).w,
+                           FETCH(displacement, tet.v.w).w));
+  sum.s0 += s.dx0;
+  sum.s1 += second ? s.dx2 : s.dx1;
+  sum.s2 += second ? s.dx1 : s.dx2;
+  STORE3(correction[second ? pair.fifth_slot : slot.w], s.dx3)
 }
 
 void main() {
   ITEM_OR_RETURN(i)
-  TetPair pair = load_pair(i);
-  vec4 s0 = FETCH(displacement, pair.a.v.x), s1 = FETCH(displacement, pair.a.v.y), s2 = FETCH(displacement, pair.a.v.z),
-       x = FETCH(displacement, pair.a.v.w), y = FETCH(displacement, pair.b.v.w);
-  PairGradient h = gradients(pair, s0.xyz, s1.xyz, s2.xyz, x.xyz, y.xyz);
-  DEFER_GUARDED(i, pair, h)
-#if EXACT
-  PairGradient step = GRADIENTS(pair, primal_step);
-#define FORESEEN(h, t, step) strain_change(deformation_of(h, material_of(t)).f, step)
-#else
-#define FORESEEN(h, t, step) Sym3(vec3(0.0), vec3(0.0))
+#ifdef DEFERS
+  {
+    TetPair pair = load_pair(i);
+    PairGradient h = GRADIENTS(pair, displacement);
+    DEFER_GUARDED(i, pair, h)
+  }
 #endif
-  BlockStep a = solve(pair.ta, true, pair.a, h.a, vec4(s0.w, s1.w, s2.w, x.w), FORESEEN(h.a, pair.ta, step.a));
-  BlockStep b = solve(pair.tb, pair.two, pair.b, h.b, vec4(s0.w, s2.w, s1.w, y.w), FORESEEN(h.b, pair.tb, step.b));
   uvec4 slot = FETCH(pair_slots, i);
-  STORE3(correction[slot.x], a.dx0 + b.dx0)
-  STORE3(correction[slot.y], a.dx1 + b.dx2)
-  STORE3(correction[slot.z], a.dx2 + b.dx1)
-  STORE3(correction[slot.w], a.dx3)
-  if (pair.two) STORE3(correction[pair.fifth_slot], b.dx3)
+  Corrections sum = Corrections(vec3(0.0), vec3(0.0), vec3(0.0));
+  FOR_TETS_OF_PAIR(second, i < pair_count, solve_one(i, second, slot, sum);)
+  STORE3(correction[slot.x], sum.s0)
+  STORE3(correction[slot.y], sum.s1)
+  STORE3(correction[slot.z], sum.s2)
 }

@@ -20,9 +20,8 @@ struct BlockStep {
 
 // h: displacement gradient of tet t. inverse_mass [1/kg]: of its corners. `foreseen`: change of strain that the corners
 // will undergo in any case.
-BlockStep solve_block(uint t, Tet tet, mat3 h, vec4 inverse_mass, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
+BlockStep solve_block(uint t, Tet tet, mat3 h, Deformation deformation, vec4 inverse_mass, vec3 lambda_d, vec3 lambda_s, Sym3 foreseen) {
   vec4 material = material_of(t);
-  Deformation deformation = deformation_of(h, material);
   mat3 f = deformation.f;
   Sym3 e = deformation.e;
   vec3 b0 = -(tet.b1 + tet.b2 + tet.b3);
