@@ -64,6 +64,15 @@ PairGradient gradients(TetPair pair, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) 
   gradients(pair, FETCH(field, pair.a.v.x).xyz, FETCH(field, pair.a.v.y).xyz, FETCH(field, pair.a.v.z).xyz, \
             FETCH(field, pair.a.v.w).xyz, FETCH(field, pair.b.v.w).xyz)
 
+// Of a vertex field in one tet.
+#define GRADIENT(pair, second, field)                                                                                  \
+  one_gradient(pair, second, FETCH(field, pair.a.v.x).xyz, FETCH(field, pair.a.v.y).xyz, FETCH(field, pair.a.v.z).xyz, \
+               FETCH(field, pair.a.v.w).xyz, FETCH(field, pair.b.v.w).xyz)
+mat3 one_gradient(TetPair pair, bool second, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) {
+  mat3 a = displacement_gradient(pair.a, s0, s1, s2, x);
+  return second ? across(pair, a, bend(pair, s0, s1, s2, x, y)) : a;
+}
+
 // Both tets one after the other: `statement` for bool second = false and, where there are two, true. In a loop on
 // graphics cards, whose compilers would otherwise hold numbers of both tets at once and spill some; on software
 // renderers the loop costs more.

@@ -46,23 +46,30 @@ vec3 terms_of(uint t, Tet tet, mat3 h, mat3 df, mat3 dc) {
   return tet.volume * terms;
 }
 
+// Adds the terms of one tet of pair i; `guard`: whether it needs the guard, or one before did.
+void add_terms(uint i, bool second, inout vec3 terms, inout bool guard) {
+  TetPair pair = load_pair(i);
+  mat3 h = GRADIENT(pair, second, displacement);
+#ifdef GUARDED_ELSEWHERE
+  guard = guard || needs_guard(h, material_of(second ? pair.tb : pair.ta));
+#endif
+  mat3 fine = GRADIENT(pair, second, fine_direction);
+#if SPLIT
+  mat3 coarse = GRADIENT(pair, second, coarse_direction);
+#else
+  mat3 coarse = fine;
+#endif
+  Tet tet = pair.a;
+  if (second) tet = second_of(pair);
+  terms += terms_of(second ? pair.tb : pair.ta, tet, h, fine, coarse);
+}
+
 // Terms of a pair as stored; `guard`: whether one of its tets needs the guard.
 vec3 terms_of(uint i, out bool guard) {
-  TetPair pair = load_pair(i);
-  PairGradient h = GRADIENTS(pair, displacement);
-#ifdef GUARDED_ELSEWHERE
-  guard = needs_guard(h.a, material_of(pair.ta)) || needs_guard(h.b, material_of(pair.tb));
-#else
+  vec3 terms = vec3(0.0);
   guard = false;
-#endif
-  PairGradient fine = GRADIENTS(pair, fine_direction);
-#if SPLIT
-  PairGradient coarse = GRADIENTS(pair, coarse_direction);
-#else
-  PairGradient coarse = fine;
-#endif
-  vec3 a = terms_of(pair.ta, pair.a, h.a, fine.a, coarse.a), b = terms_of(pair.tb, pair.b, h.b, fine.b, coarse.b);
-  return SUBSTEP * SUBSTEP * (pair.two ? a + b : a);
+  FOR_TETS_OF_PAIR(second, i < pair_count, add_terms(i, second, terms, guard);)
+  return SUBSTEP * SUBSTEP * terms;
 }
 
 #ifdef DEFERRED

@@ -41,15 +41,6 @@ BlockStep solve(uint t, Tet tet, mat3 h, mat3 step, vec4 inverse_mass) {
   return s;
 }
 
-// Of a vertex field in one tet of a pair.
-#define GRADIENT(pair, second, field)                                                                                        \
-  one_gradient(pair, second, FETCH(field, pair.a.v.x).xyz, FETCH(field, pair.a.v.y).xyz, FETCH(field, pair.a.v.z).xyz, \
-               FETCH(field, pair.a.v.w).xyz, FETCH(field, pair.b.v.w).xyz)
-mat3 one_gradient(TetPair pair, bool second, vec3 s0, vec3 s1, vec3 s2, vec3 x, vec3 y) {
-  mat3 a = displacement_gradient(pair.a, s0, s1, s2, x);
-  return second ? across(pair, a, bend(pair, s0, s1, s2, x, y)) : a;
-}
-
 struct Corrections {
   vec3 s0, s1, s2;
 };
