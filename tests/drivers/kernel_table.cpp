@@ -86,14 +86,10 @@ void write_table(const std::filesystem::path& file, const StoredTable& table) {
 
 std::vector<std::string> summary(const KernelTable& table, int least) {
   const auto registers = [](const auto& row) { return row->second.chips[0].registers; };
-  std::map<std::string, KernelTable::const_iterator> most, narrowest;  // by file
+  std::map<std::string, KernelTable::const_iterator> most;  // by file
   for (auto it = table.begin(); it != table.end(); ++it) {
     const auto [found, fresh] = most.emplace(it->first.first, it);
     if (registers(it) > registers(found->second)) found->second = it;
-    const auto [narrow, first] = narrowest.emplace(it->first.first, it);
-    const IntelFigures &here = it->second.intel, &before = narrow->second->second.intel;
-    if (here.width < before.width || (here.width == before.width && here.instructions > before.instructions))
-      narrow->second = it;
   }
   std::vector<KernelTable::const_iterator> rows;
   for (const auto& [file, row] : most)
@@ -105,9 +101,9 @@ std::vector<std::string> summary(const KernelTable& table, int least) {
         "| `" + std::filesystem::path(row->first.first).stem().string() + "` | " + row->first.second + " |";
     for (const ChipFigures& chip : row->second.chips)
       line += " " + std::to_string(chip.registers) + " / " + std::to_string(chip.waves) + " |";
-    const IntelFigures& intel = narrowest.at(row->first.first)->second.intel;
-    lines.push_back(line + " " + std::to_string(row->second.chips[0].lds_bytes) + " | " + std::to_string(intel.width) +
-                    " / " + std::to_string(intel.instructions) + " |");
+    const IntelFigures& intel = row->second.intel;
+    lines.push_back(line + " " + std::to_string(intel.width) + " / " + std::to_string(intel.instructions) + " / " +
+                    std::to_string(intel.spills) + " | " + std::to_string(row->second.chips[0].lds_bytes) + " |");
   }
   return lines;
 }

@@ -49,8 +49,7 @@ struct StoredTable {
 StoredTable read_table(const std::filesystem::path& file);
 void write_table(const std::filesystem::path& file, const StoredTable& table);
 
-/// Rows of Markdown: of every kernel with more than `least` registers on the first chip its most demanding variant,
-/// with Intel's figures of its least wide variant.
+/// Rows of Markdown: of every kernel with more than `least` registers on the first chip its most demanding variant.
 std::vector<std::string> summary(const KernelTable& table, int least);
 
 }  // namespace fascia::test

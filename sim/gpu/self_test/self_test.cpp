@@ -27,6 +27,8 @@ std::vector<KernelCheck> self_test(gl::ProgramCache& programs, const std::functi
       throw;
     } catch (const Error& error) {
       check.failure = error.what();
+      const std::string device = gl::device().renderer + ": ";  // which the report names once
+      if (check.failure.starts_with(device)) check.failure.erase(0, device.size());
     }
     if (news) news(check);
   }
