@@ -52,3 +52,26 @@ PointGradients at_points(PointGradients corners) {
                    FETCH(field, FETCH(mid_edges, 2u * e).w).xyz, FETCH(field, FETCH(mid_edges, 2u * e + 1u).x).xyz,         \
                    FETCH(field, FETCH(mid_edges, 2u * e + 1u).y).xyz)
 #define POINT_GRADIENTS(e, tet, field) at_points(CORNER_GRADIENTS(e, tet, field))
+
+mat3 at_point(PointGradients corners, int q) {
+  mat3 far = POINT_FAR * (corners.at[0] + corners.at[1] + corners.at[2] + corners.at[3]);
+  mat3 corner = corners.at[0];
+  if (q == 1) corner = corners.at[1];
+  if (q == 2) corner = corners.at[2];
+  if (q == 3) corner = corners.at[3];
+  return far + (POINT_NEAR - POINT_FAR) * corner;
+}
+
+// AT_POINT: the gradient of a vertex field at point q, in a loop over the points. Graphics cards keep the numbers of one
+// point and read the vertices again for the next, since those of all points are more than the registers of some; HELD
+// has no gradients there. APART: a statement whose instructions do not mix with those around it, since it stands behind
+// a condition, always true, that compilers do not know; what it needed is free behind it.
+#if SUMS_IN_GROUPS
+#define HELD(e, tet, field) PointGradients(mat3[4](mat3(0.0), mat3(0.0), mat3(0.0), mat3(0.0)))
+#define AT_POINT(held, e, tet, q, field) at_point(CORNER_GRADIENTS(e, tet, field), q)
+#define APART(tet, statement) if (tet.volume > 0.0) { statement }
+#else
+#define HELD(e, tet, field) POINT_GRADIENTS(e, tet, field)
+#define AT_POINT(held, e, tet, q, field) held.at[q]
+#define APART(tet, statement) statement
+#endif

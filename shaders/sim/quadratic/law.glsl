@@ -71,16 +71,27 @@ Sym3 strain_since_start(uint e, int q, mat3 h) {
   return Sym3(strain.d - before.d, strain.s - before.s);
 }
 
+// Of the diagonal of E* and of tr(E - E*): sums over the points.
+struct StrainMeans {
+  vec3 before;
+  float change;
+};
+
+void add_point(inout StrainMeans means, uint e, int q, mat3 h) {
+  means.before += 0.25 * previous_strain_at(strain_of_point(e, q)).d;
+  vec3 change = strain_since_start(e, q, h).d;
+  means.change += 0.25 * (change.x + change.y + change.z);
+}
+
+Viscosity viscosity_of(StrainMeans means, vec4 material) {
+  float over_h = damping_over_h(Sym3(means.before, vec3(0.0)), material);
+  return Viscosity(over_h, over_h * max(lame_lambda(material), 0.0), means.change);
+}
+
 Viscosity viscosity_of(uint e, PointGradients h, vec4 material) {
-  Sym3 before = Sym3(vec3(0.0), vec3(0.0));
-  float mean = 0.0;
-  for (int q = 0; q < 4; ++q) {
-    before.d += 0.25 * previous_strain_at(strain_of_point(e, q)).d;
-    vec3 change = strain_since_start(e, q, h.at[q]).d;
-    mean += 0.25 * (change.x + change.y + change.z);
-  }
-  float over_h = damping_over_h(before, material);
-  return Viscosity(over_h, over_h * max(lame_lambda(material), 0.0), mean);
+  StrainMeans means = StrainMeans(vec3(0.0), 0.0);
+  for (int q = 0; q < 4; ++q) add_point(means, e, q, h.at[q]);
+  return viscosity_of(means, material);
 }
 
 // Second Piola stress at a point, without the mean.

@@ -33,58 +33,117 @@ INPUT_VEC4(GuardedTerms, guarded_terms)  // [the same] w 0 if not guarded
 #endif
 #endif
 
+struct Held {
+  PointGradients h, fine;
+#if SPLIT
+  PointGradients coarse;
+#endif
+};
+
+// What the terms at a point need of all points.
+struct Means {
+  float dilatation;  // 4 times theta
+  bool guard;        // whether one of the points needs the guard
+#if DAMPING
+  StrainMeans strain;
+#endif
+};
+
+void add_means(uint e, int q, Tet tet, PointGradients held, vec4 material, inout Means means) {
+  mat3 h = AT_POINT(held, e, tet, q, displacement);
+  means.dilatation += dilatation_of(h, material).value;
+#ifdef GUARDED_ELSEWHERE
+  means.guard = means.guard || needs_guard(h, material);
+#endif
+#if DAMPING
+  add_point(means.strain, e, q, h);
+#endif
+}
+
+struct Terms {
+  vec3 sum;
+  vec2 growth;  // mean dtheta along z_f and z_c
+#if DAMPING
+  Viscosity viscosity;
+  vec2 viscous_growth;
+#endif
+};
+
+#if DAMPING
+void add_viscous_terms(uint e, int q, vec4 material, mat3 at, mat3 f, mat3 c, inout Terms terms) {
+  Viscosity viscosity = terms.viscosity;
+  mat3 deformed = mat3(1.0) + at;
+  Sym3 s = viscous_stress_at_point(viscosity, strain_since_start(e, q, at), material);
+  s.d += viscosity.bulk * viscosity.mean;
+  terms.viscous_growth += 0.25 * vec2(inner(deformed, f), inner(deformed, c));
+  Sym3 by_f = strain_change(deformed, f), by_c = strain_change(deformed, c);
+  terms.sum.x += contract(viscous_stress_at_point(viscosity, by_f, material), by_f) + geometric(f, s, f);
+#if SPLIT
+  terms.sum.y += contract(viscous_stress_at_point(viscosity, by_f, material), by_c) + geometric(f, s, c);
+  terms.sum.z += contract(viscous_stress_at_point(viscosity, by_c, material), by_c) + geometric(c, s, c);
+#endif
+}
+#endif
+
+void add_terms(uint e, int q, Tet tet, Held held, vec4 material, vec4 pointwise, float pressure, inout Terms terms) {
+  mat3 at = mat3(0.0), f = mat3(0.0);
+  APART(tet, at = AT_POINT(held.h, e, tet, q, displacement);)
+  APART(tet, f = AT_POINT(held.fine, e, tet, q, fine_direction);)
+#if SPLIT
+  mat3 c = mat3(0.0);
+  APART(tet, c = AT_POINT(held.coarse, e, tet, q, coarse_direction);)
+#else
+  mat3 c = f;
+#endif
+  Tangent tangent = elastic_tangent_of(at, pointwise);
+  mat3 first = dilatation_of(at, material).first;
+  terms.growth += 0.25 * vec2(inner(first, f), inner(first, c));
+  terms.sum.x += curvature(tangent, at, pointwise, f, f) + pressure * dilatation_curvature(at, material, f, f);
+#if SPLIT
+  terms.sum.y += curvature(tangent, at, pointwise, f, c) + pressure * dilatation_curvature(at, material, f, c);
+  terms.sum.z += curvature(tangent, at, pointwise, c, c) + pressure * dilatation_curvature(at, material, c, c);
+#endif
+#if DAMPING
+  if (terms.viscosity.over_h > 0.0) add_viscous_terms(e, q, material, at, f, c, terms);
+#endif
+}
+
 // `guard`: whether one of the points needs the guard.
 vec3 terms_of(uint e, out bool guard) {
   uint t = FIRST_QUADRATIC + e;
   Tet tet = load_tet(t);
-  PointGradients h = POINT_GRADIENTS(e, tet, displacement), fine = POINT_GRADIENTS(e, tet, fine_direction);
-#if SPLIT
-  PointGradients coarse = POINT_GRADIENTS(e, tet, coarse_direction);
-#else
-  PointGradients coarse = fine;
-#endif
   vec4 material = material_of(t);
-#ifdef GUARDED_ELSEWHERE
-  guard = needs_guard(h, material);
-#else
-  guard = false;
+  Held held;
+  held.h = HELD(e, tet, displacement);
+  held.fine = HELD(e, tet, fine_direction);
+#if SPLIT
+  held.coarse = HELD(e, tet, coarse_direction);
 #endif
+  Means means;
+  means.dilatation = 0.0;
+  means.guard = false;
+#if DAMPING
+  means.strain = StrainMeans(vec3(0.0), 0.0);
+#endif
+  for (int q = 0; q < 4; ++q) add_means(e, q, tet, held.h, material, means);
+  guard = means.guard;
   VolumeSplit split = volume_split(material);
-  float pressure = split.bulk * mean_dilatation(h, material);
+  float pressure = split.bulk * (0.25 * means.dilatation);
+  Terms terms;
+  terms.sum = vec3(0.0);
+  terms.growth = vec2(0.0);
 #if DAMPING
-  Viscosity viscosity = viscosity_of(e, h, material);
-  vec2 viscous_growth = vec2(0.0);
+  terms.viscosity = viscosity_of(means.strain, material);
+  terms.viscous_growth = vec2(0.0);
 #endif
-  vec3 terms = vec3(0.0);
-  vec2 growth = vec2(0.0);  // mean dtheta along z_f and z_c
-  for (int q = 0; q < 4; ++q) {
-    mat3 at = h.at[q], f = fine.at[q], c = coarse.at[q];
-    Tangent tangent = elastic_tangent_of(at, split.pointwise);
-    mat3 first = dilatation_of(at, material).first;
-    growth += 0.25 * vec2(inner(first, f), inner(first, c));
-    terms.x += curvature(tangent, at, split.pointwise, f, f) + pressure * dilatation_curvature(at, material, f, f);
-#if SPLIT
-    terms.y += curvature(tangent, at, split.pointwise, f, c) + pressure * dilatation_curvature(at, material, f, c);
-    terms.z += curvature(tangent, at, split.pointwise, c, c) + pressure * dilatation_curvature(at, material, c, c);
-#endif
+  for (int q = 0; q < 4; ++q) add_terms(e, q, tet, held, material, split.pointwise, pressure, terms);
+  vec2 growth = terms.growth;
+  vec3 sum = 0.25 * terms.sum + split.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
 #if DAMPING
-    mat3 deformed = mat3(1.0) + at;
-    Sym3 s = viscous_stress_at_point(viscosity, strain_since_start(e, q, at), material);
-    s.d += viscosity.bulk * viscosity.mean;
-    viscous_growth += 0.25 * vec2(inner(deformed, f), inner(deformed, c));
-    Sym3 by_f = strain_change(deformed, f), by_c = strain_change(deformed, c);
-    terms.x += contract(viscous_stress_at_point(viscosity, by_f, material), by_f) + geometric(f, s, f);
-#if SPLIT
-    terms.y += contract(viscous_stress_at_point(viscosity, by_f, material), by_c) + geometric(f, s, c);
-    terms.z += contract(viscous_stress_at_point(viscosity, by_c, material), by_c) + geometric(c, s, c);
+  growth = terms.viscous_growth;
+  sum += terms.viscosity.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
 #endif
-#endif
-  }
-  terms = 0.25 * terms + split.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
-#if DAMPING
-  terms += viscosity.bulk * vec3(viscous_growth.x * viscous_growth.x, viscous_growth.x * viscous_growth.y, viscous_growth.y * viscous_growth.y);
-#endif
-  return SUBSTEP * SUBSTEP * tet.volume * terms;
+  return SUBSTEP * SUBSTEP * tet.volume * sum;
 }
 
 #ifdef DEFERRED
