@@ -53,13 +53,32 @@ PointGradients at_points(PointGradients corners) {
                    FETCH(field, FETCH(mid_edges, 2u * e + 1u).y).xyz)
 #define POINT_GRADIENTS(e, tet, field) at_points(CORNER_GRADIENTS(e, tet, field))
 
+// Element q of four, and its new value. Graphics cards' compilers leave a loop that has no computed index as it is, and
+// hold the numbers of one point at a time; on others such a loop is unrolled.
+#if SUMS_IN_GROUPS
+mat3 pick(PointGradients h, int q) {
+  mat3 picked = h.at[0];
+  if (q == 1) picked = h.at[1];
+  if (q == 2) picked = h.at[2];
+  if (q == 3) picked = h.at[3];
+  return picked;
+}
+void put(inout PointGradients h, int q, mat3 value) {
+  if (q == 0) h.at[0] = value;
+  if (q == 1) h.at[1] = value;
+  if (q == 2) h.at[2] = value;
+  if (q == 3) h.at[3] = value;
+}
+#define PICK(h, q) pick(h, q)
+#define PUT(h, q, value) put(h, q, value)
+#else
+#define PICK(h, q) h.at[q]
+#define PUT(h, q, value) h.at[q] = value
+#endif
+
 mat3 at_point(PointGradients corners, int q) {
   mat3 far = POINT_FAR * (corners.at[0] + corners.at[1] + corners.at[2] + corners.at[3]);
-  mat3 corner = corners.at[0];
-  if (q == 1) corner = corners.at[1];
-  if (q == 2) corner = corners.at[2];
-  if (q == 3) corner = corners.at[3];
-  return far + (POINT_NEAR - POINT_FAR) * corner;
+  return far + (POINT_NEAR - POINT_FAR) * PICK(corners, q);
 }
 
 // AT_POINT: the gradient of a vertex field at point q, in a loop over the points. Graphics cards keep the numbers of one

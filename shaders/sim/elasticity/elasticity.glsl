@@ -17,13 +17,17 @@ struct Elastic {
 #include "sim/material/laws.glsl"
 #endif
 
+// Of the laws of the Green strain.
+Elastic strain_response(Deformation d, vec4 material) {
+  Sym3 s = second_piola_stress(d.e, material);
+  return Elastic(times(d.f, s), 0.5 * contract(s, d.e));
+}
+
 Elastic elastic_of(mat3 h, vec4 material) {
 #if BEYOND_STRAIN
   if (IS_BEYOND_STRAIN(material)) return LAW_RESPONSE(h, material);
 #endif
-  Deformation d = deformation_of(h, material);
-  Sym3 s = second_piola_stress(d.e, material);
-  return Elastic(times(d.f, s), 0.5 * contract(s, d.e));
+  return strain_response(deformation_of(h, material), material);
 }
 
 #if DAMPING

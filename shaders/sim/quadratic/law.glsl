@@ -55,7 +55,7 @@ float dilatation_curvature(mat3 h, vec4 material, mat3 a, mat3 b) {
 
 float mean_dilatation(PointGradients h, vec4 material) {
   float sum = 0.0;
-  for (int q = 0; q < 4; ++q) sum += dilatation_of(h.at[q], material).value;
+  for (int q = 0; q < 4; ++q) sum += dilatation_of(PICK(h, q), material).value;
   return 0.25 * sum;
 }
 
@@ -90,7 +90,7 @@ Viscosity viscosity_of(StrainMeans means, vec4 material) {
 
 Viscosity viscosity_of(uint e, PointGradients h, vec4 material) {
   StrainMeans means = StrainMeans(vec3(0.0), 0.0);
-  for (int q = 0; q < 4; ++q) add_point(means, e, q, h.at[q]);
+  for (int q = 0; q < 4; ++q) add_point(means, e, q, PICK(h, q));
   return viscosity_of(means, material);
 }
 
@@ -102,39 +102,65 @@ Sym3 viscous_stress_at_point(Viscosity viscosity, Sym3 change, vec4 material) {
 }
 #endif
 
-struct QuadraticElastic {
-  mat3 p[4];     // first Piola stress at the points [Pa]
-  float energy;  // mean density [J/m^3]
+// What the response at a point needs of all points.
+struct QuadraticLaw {
+  VolumeSplit split;
+  float mean;  // theta
+#if DAMPING
+  Viscosity viscosity;
+#endif
 };
 
-// Without viscosity.
-QuadraticElastic quadratic_elastic(PointGradients h, vec4 material) {
-  VolumeSplit split = volume_split(material);
-  float mean = mean_dilatation(h, material);
-  QuadraticElastic r;
-  r.energy = 0.5 * split.bulk * mean * mean;
-  for (int q = 0; q < 4; ++q) {
-    Elastic point = elastic_of(h.at[q], split.pointwise);
-    r.p[q] = point.p + split.bulk * mean * dilatation_of(h.at[q], material).first;
-    r.energy += 0.25 * point.energy;
-  }
-  return r;
+QuadraticLaw law_of(uint e, PointGradients h, vec4 material) {
+  QuadraticLaw law;
+  law.split = volume_split(material);
+  law.mean = mean_dilatation(h, material);
+#if DAMPING
+  law.viscosity = viscosity_of(e, h, material);
+#endif
+  return law;
 }
 
-QuadraticElastic quadratic_response(uint e, PointGradients h, vec4 material) {
-  QuadraticElastic r = quadratic_elastic(h, material);
-#if DAMPING
-  Viscosity viscosity = viscosity_of(e, h, material);
-  float pressure = viscosity.bulk * viscosity.mean;
-  r.energy += 0.5 * pressure * viscosity.mean;
-  for (int q = 0; q < 4; ++q) {
-    Sym3 change = strain_since_start(e, q, h.at[q]), s = viscous_stress_at_point(viscosity, change, material);
-    r.energy += 0.125 * contract(s, change);
-    s.d += pressure;
-    r.p[q] += times(mat3(1.0) + h.at[q], s);
+// Stress at a point, without viscosity, and the energy density without that of the mean.
+Elastic elastic_at(QuadraticLaw law, mat3 h, vec4 material) {
+#if BEYOND_STRAIN
+  if (IS_BEYOND_STRAIN(material)) {
+    Elastic point = LAW_RESPONSE(h, law.split.pointwise);
+    return Elastic(point.p + law.split.bulk * law.mean * dilatation_of(h, material).first, point.energy);
   }
 #endif
-  return r;
+  Deformation d = deformation_of(h, material);  // of the dilatation as of the rest
+  Elastic point = strain_response(d, law.split.pointwise);
+  return Elastic(point.p + law.split.bulk * law.mean * d.f, point.energy);
+}
+
+float energy_of_mean(QuadraticLaw law) { return 0.5 * law.split.bulk * law.mean * law.mean; }
+
+// Over the gradients at the points it writes the stresses there, with viscosity. Returns the mean energy density.
+float respond(uint e, inout PointGradients h, vec4 material) {
+  QuadraticLaw law = law_of(e, h, material);
+  float energy = energy_of_mean(law);
+#if DAMPING
+  float pressure = law.viscosity.bulk * law.viscosity.mean;
+  vec4 viscous;  // density at the points
+#endif
+  for (int q = 0; q < 4; ++q) {
+    mat3 at = PICK(h, q);
+    Elastic point = elastic_at(law, at, material);
+    energy += 0.25 * point.energy;
+#if DAMPING
+    Sym3 change = strain_since_start(e, q, at), s = viscous_stress_at_point(law.viscosity, change, material);
+    viscous[q] = contract(s, change);
+    s.d += pressure;
+    point.p += times(mat3(1.0) + at, s);
+#endif
+    PUT(h, q, point.p);
+  }
+#if DAMPING
+  energy += 0.5 * pressure * law.viscosity.mean;
+  for (int q = 0; q < 4; ++q) energy += 0.125 * viscous[q];
+#endif
+  return energy;
 }
 
 // The forces on the vertices: derivatives of V mean Psi by their displacements, from the stresses at the points.
@@ -142,13 +168,13 @@ struct QuadraticForces {
   vec3 corner[4], middle[6];  // of the edges 01, 12, 02, 03, 13, 23
 };
 
-QuadraticForces forces_of(Tet tet, mat3 p[4]) {
-  mat3 sum = p[0] + p[1] + p[2] + p[3];
+QuadraticForces forces_of(Tet tet, PointGradients p) {
+  mat3 sum = p.at[0] + p.at[1] + p.at[2] + p.at[3];
   vec3 b[4] = vec3[4](-(tet.b1 + tet.b2 + tet.b3), tet.b1, tet.b2, tet.b3);
   mat3 at[4];  // sum_q L_c(q) P_q
   QuadraticForces f;
   for (int c = 0; c < 4; ++c) {
-    at[c] = POINT_FAR * sum + (POINT_NEAR - POINT_FAR) * p[c];
+    at[c] = POINT_FAR * sum + (POINT_NEAR - POINT_FAR) * p.at[c];
     f.corner[c] = 0.25 * ((4.0 * at[c] - sum) * b[c]);
   }
   f.middle[0] = at[0] * b[1] + at[1] * b[0];

@@ -20,26 +20,31 @@ void main() {
     PointGradients corners = CORNER_GRADIENTS(e, tet, displacement), h = at_points(corners);
     float smallest = 3.4e38, largest = -3.4e38, growth = 0.0, squares = 0.0;
     for (int q = 0; q < 4; ++q) {
-      float at_corner = det_f_minus_one(corners.at[q]);
+      float at_corner = det_f_minus_one(PICK(corners, q));
       smallest = min(smallest, 1.0 + at_corner);
       largest = max(largest, 1.0 + at_corner);
     }
-    QuadraticElastic elastic = quadratic_elastic(h, material);
+    QuadraticLaw law = law_of(e, h, material);
+    float energy = energy_of_mean(law);
     for (int q = 0; q < 4; ++q) {
-      float at_point = det_f_minus_one(h.at[q]);
+      mat3 point = PICK(h, q);
+      Elastic elastic = elastic_at(law, point, material);
+      energy += 0.25 * elastic.energy;
+      float at_point = det_f_minus_one(point);
       smallest = min(smallest, 1.0 + at_point);
       largest = max(largest, 1.0 + at_point);
       growth += 0.25 * at_point;
-      float strain = strain_norm(green_strain(h.at[q]));
+      float strain = strain_norm(green_strain(point));
       squares += 0.25 * strain * strain;
       partial.range.z = max(partial.range.z, strain);
-      partial.range.w = max(partial.range.w, von_mises_stress(mat3(1.0) + h.at[q], 1.0 + at_point, elastic.p[q]));
+      partial.range.w = max(partial.range.w, von_mises_stress(mat3(1.0) + point, 1.0 + at_point, elastic.p));
     }
     partial.range.x = min(partial.range.x, smallest);
     partial.range.y = max(partial.range.y, largest);
-    partial.sums += tet.volume * vec4(elastic.energy, 0.0, growth, squares);
+    partial.sums += tet.volume * vec4(energy, 0.0, growth, squares);
     partial.sums.y += smallest <= 0.0 ? 1.0 : 0.0;
-    QuadraticForces f = forces_of(tet, quadratic_response(e, h, material).p);
+    respond(e, h, material);
+    QuadraticForces f = forces_of(tet, h);  // by now, the stresses
     float scale = -SUBSTEP * SUBSTEP * tet.volume;
     uvec4 slot = FETCH(quadratic_slots, 3u * e), slot_1 = FETCH(quadratic_slots, 3u * e + 1u), slot_2 = FETCH(quadratic_slots, 3u * e + 2u);
     correction[slot.x] = vec4(scale * f.corner[0], 0.0);

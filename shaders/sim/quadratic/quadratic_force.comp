@@ -27,11 +27,11 @@ void main() {
 #ifdef DEFERS
   if (needs_guard(h, material)) { defer(e); return; }
 #endif
-  QuadraticElastic r = quadratic_response(e, h, material);
-  QuadraticForces f = forces_of(tet, r.p);
+  float energy = respond(e, h, material);
+  QuadraticForces f = forces_of(tet, h);  // by now, the stresses
   float scale = SUBSTEP * SUBSTEP * tet.volume;
   uvec4 slot = FETCH(quadratic_slots, 3u * e);
-  correction[slot.x] = vec4(scale * f.corner[0], scale * r.energy);
+  correction[slot.x] = vec4(scale * f.corner[0], scale * energy);
   STORE3(correction[slot.y], scale * f.corner[1])
   STORE3(correction[slot.z], scale * f.corner[2])
   STORE3(correction[slot.w], scale * f.corner[3])

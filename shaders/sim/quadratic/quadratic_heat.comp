@@ -34,9 +34,13 @@ void main() {
   uint t = FIRST_QUADRATIC + e;
   Tet tet = load_tet(t);
   PointGradients h = POINT_GRADIENTS(e, tet, displacement);
-  QuadraticElastic r = quadratic_elastic(h, material_of(t));
+  vec4 material = material_of(t);
+  QuadraticLaw law = law_of(e, h, material);
   vec4 at;
-  for (int q = 0; q < 4; ++q) at[q] = tet.volume * scalar_of(h.at[q], r.p[q]);
+  for (int q = 0; q < 4; ++q) {
+    mat3 point = PICK(h, q);
+    at[q] = tet.volume * scalar_of(point, elastic_at(law, point, material).p);
+  }
   uvec4 slot = FETCH(quadratic_slots, 3u * e);
   correction[slot.x] = vec4(at.x, tet.volume, 0.0, 0.0);
   correction[slot.y] = vec4(at.y, tet.volume, 0.0, 0.0);
