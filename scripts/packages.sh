@@ -5,8 +5,9 @@ build_packages=(g++ cmake ninja-build pkg-config libeigen3-dev libglfw3-dev libg
 # OSMesa and EGL are opened at run time; ffmpeg and gnuplot are child processes.
 run_packages=(libgl1 libgl1-mesa-dri libegl1 libegl-mesa0 libosmesa6 ffmpeg gnuplot-nox fonts-dejavu-core)
 # Without those from mesa-vulkan-drivers on, what they test is left out: a second driver, the figures of compilers for graphics chips, the
-# Python module, the formatting.
-test_packages=(catch2 xvfb xauth xdotool mesa-vulkan-drivers libvulkan-dev glslang-tools python3 pybind11-dev python3-dev python3-numpy clang-format)
+# program on a chip that executes nothing, the Python module, the formatting.
+test_packages=(catch2 xvfb xauth xdotool mesa-vulkan-drivers libvulkan-dev glslang-tools libdrm-dev python3 pybind11-dev python3-dev
+  python3-numpy clang-format)
 
 install_missing() {
   local missing=() package

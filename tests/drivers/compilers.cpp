@@ -88,8 +88,8 @@ bool compiles_for_amd() {
 }
 
 bool compiles_for_intel() {
-  return is_there(*FASCIA_IDLE_I915 && run_on_intel("tgl", {FASCIA_INTEL_FIGURES}).exit_code != 77,
-                  "Mesa's OpenGL driver for Intel or libdrm-dev");
+  return is_there(*FASCIA_IDLE_I915 && run_on_intel("tgl", {FASCIA_INTEL_FIGURES}).exit_code == 0,
+                  "libdrm-dev, or Mesa's OpenGL driver for Intel in a version that starts on idle_i915,");
 }
 
 CommandResult run_on_intel(const std::string& chip, const std::vector<std::string>& command, const std::string& fault,

@@ -30,6 +30,15 @@ std::vector<std::string> shipped_scenes() {
 
 }  // namespace
 
+// Later versions may ask the kernel for more, and the tests below are left out then.
+TEST_CASE("Mesa's driver for Intel of the version of the table starts") {
+  const StoredTable table = read_table(source_dir() / "tests/drivers/kernel_figures.csv");
+  if (!*FASCIA_IDLE_I915 || !std::filesystem::exists("/usr/lib/x86_64-linux-gnu/dri/iris_dri.so")) return;
+  const CommandResult result = run_on_intel("tgl", {FASCIA_INTEL_FIGURES});
+  INFO(result.err);
+  if (contains(result.out, table.driver)) CHECK(result.exit_code == 0);
+}
+
 TEST_CASE("a chip that executes nothing is named, with its limits") {
   if (!compiles_for_intel()) return;
   const auto [chip, renderer] = GENERATE(std::pair("skl", "Mesa Intel(R) HD Graphics 530 (SKL GT2)"),

@@ -1,9 +1,8 @@
-// Compiles compute kernels with the OpenGL driver of an Intel chip, such as idle_i915.cpp presents, and prints what
+// Compiles compute kernels with the OpenGL driver of an Intel chip, such as idle_i915.cpp presents; prints what
 // Mesa states of their code in debug messages.
 //   intel_figures FILE.comp...
 // The first line is the driver's version, the others are FILE,WIDTH,INSTRUCTIONS,SPILLS,FILLS: invocations that an
-// instruction computes at once (SIMD8, 16 or 32), and accesses of registers that are in memory. Exit code 77 without
-// the driver.
+// instruction computes at once (SIMD8, 16 or 32), and stores and loads of registers that do not fit.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -55,13 +54,13 @@ int main(int count, char** files) try {
   fascia::ContextRequest request;
   request.debug = true;
   const auto context = fascia::make_egl_context(request, fascia::EglDevices::any);
-  const std::string& renderer = gl::device().renderer;
+  const std::string &renderer = gl::device().renderer, &version = gl::device().version;
+  const std::size_t mesa = version.find("Mesa");
+  std::printf("%s\n", mesa == std::string::npos ? version.c_str() : version.substr(mesa).c_str());
   if (renderer.find("Intel") == std::string::npos) {
     std::fprintf(stderr, "intel_figures: found %s\n", renderer.c_str());
-    return 77;
+    return 1;
   }
-  const std::string& version = gl::device().version;
-  std::printf("%s\n", version.substr(version.find("Mesa")).c_str());
   gl::Enable(GL_DEBUG_OUTPUT);
   gl::DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
   gl::DebugMessageCallback(take, nullptr);
