@@ -1,6 +1,7 @@
 #include "sim/contact/contact_block.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fascia {
 
@@ -9,6 +10,11 @@ using Eigen::Vector3d;
 
 double sliding_penalty(double stiffness, double bound, double full_slip) {
   return std::max(kStickingPenalty * stiffness, bound / full_slip);
+}
+
+double kept_share(double stiffness, double mass, double length) {
+  constexpr double kNone = 1.5, kAll = 3;  // [rad] of the oscillation
+  return std::clamp((std::sqrt(stiffness / mass) * length - kNone) / (kAll - kNone), 0.0, 1.0);
 }
 
 Vector3d within(const Vector3d& q, double bound) {

@@ -15,6 +15,11 @@ inline constexpr double kFullSlip = 0.1;
 /// The penalty on sliding c [N/m] of a point on a tool: of the penalty on depth `stiffness` [N/m], the bound of
 /// friction `bound` [N] and the slip `full_slip` [m].
 double sliding_penalty(double stiffness, double bound, double full_slip);
+/// lambda as a share of the force that the stage before left, where k [N/m] and a mass [kg] meet in a stage of `length`
+/// [s]: all of it where the stage is long beside their oscillation, so that what presses is out of the tool a step
+/// later. A shorter stage follows that oscillation, and a force that grows while the point is still inside adds energy
+/// to it.
+double kept_share(double stiffness, double mass, double length);
 
 struct ContactBlock {
   std::uint32_t row_vertex, column_vertex;

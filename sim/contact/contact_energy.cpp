@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                              const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
-                             std::vector<PairRow> pairs, const std::vector<Vector3d>& aim)
+                             std::vector<PairRow> pairs, const std::vector<Vector3d>& aim,
+                             const std::vector<double>& kept)
     : model_(model),
       surface_(surface),
       rows_(surface.row_count),
@@ -33,8 +34,9 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.stiffness = pieces_.back().share * stiffness[p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
-      row.pressing = memory.size() < rows_.size() ? 0 : memory[piece.first_row + p].normal;
-      row.sliding = sliding_penalty(row.stiffness, tool.friction * row.pressing, surface.full_slip);
+      row.bearing = memory.size() < rows_.size() ? 0 : memory[piece.first_row + p].normal;
+      row.pressing = kept.empty() ? row.bearing : kept[p] * row.bearing;
+      row.sliding = sliding_penalty(row.stiffness, tool.friction * row.bearing, surface.full_slip);
       row.friction.setZero();
       if (!aim.empty())
         if (const auto entry =
@@ -101,8 +103,8 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* ma
   double energy = pairs_.evaluate(u, gradient, magnitude);
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
-    const double bound = placed.friction * row.pressing;
-    if (contact.pressing == 0 && row.pressing == 0) return;
+    const double bound = placed.friction * row.bearing;
+    if (contact.pressing == 0 && row.bearing == 0) return;
     energy += 0.5 * (contact.pressing - row.pressing) * (contact.pressing + row.pressing) / row.stiffness;
     Vector3d force = contact.pressing * contact.normal;
     if (bound > 0) {
@@ -131,7 +133,7 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
   std::vector<ContactBlock> blocks;
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
-    const double bound = placed.friction * row.pressing;
+    const double bound = placed.friction * row.bearing;
     // A point that just touches counts: a body that is set down would else have no stiffness against its weight.
     const bool touches = row.pressing + row.stiffness * contact.depth >= 0;
     if (!touches && bound == 0) return;
@@ -158,7 +160,7 @@ ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
     const Contact contact = contact_of(piece, p, u);
     ContactForce& force = memory[piece.first_row + p];
     force.normal = contact.pressing;
-    if (row.pressing > 0)
+    if (row.bearing > 0)
       force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
   });
   return memory;
@@ -177,7 +179,7 @@ std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_
                         row.normal,
                         contact.tangential,
                         row.sliding,
-                        placed.friction * row.pressing});
+                        placed.friction * row.bearing});
   });
   return contacts;
 }
@@ -186,7 +188,7 @@ std::vector<ToolLoad> ContactEnergy::loads(const VectorXd& u) const {
   std::vector<ToolLoad> loads(model_.tools.size());
   for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
     const Contact contact = contact_of(piece, p, u);
-    const double bound = placed.friction * row.pressing;
+    const double bound = placed.friction * row.bearing;
     if (contact.pressing == 0 && bound == 0) return;
     ToolLoad& load = loads[piece.tool];
     const Vector3d force = contact.pressing * contact.normal + within(contact.tangential, bound);

@@ -31,10 +31,12 @@ class ContactEnergy {
  public:
   /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory
   /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. `aim`: displacements where
-  /// velocities lead, if any. The first two outlive this object.
+  /// velocities lead, if any. `kept`: kept_shares(), or
+  /// all of the forces. The first two outlive this object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
-                std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {});
+                std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {},
+                const std::vector<double>& kept = {});
 
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count], and to `magnitude` what
   /// times the machine epsilon bounds its rounding [J]: forces times the coordinates that they are computed from.
@@ -65,6 +67,7 @@ class ContactEnergy {
     Eigen::Vector3d anchor;       // where the piece takes the point to that was at the start [m]
     Eigen::Vector3d normal;       // n0
     double pressing;              // lambda
+    double bearing;               // N of the step before, by which friction goes
     double sliding;               // c [N/m]
     std::optional<double> plane;  // offset of the plane across `normal` that stands for the piece (tool_entry.h) [m]
   };

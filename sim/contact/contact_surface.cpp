@@ -217,6 +217,20 @@ std::vector<double> contact_stiffness(const Model& model, const ContactSurface& 
   return stiffness;
 }
 
+std::vector<double> kept_shares(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
+                                double length) {
+  const std::vector<double> masses = lumped_masses(model);
+  std::vector<double> shares;
+  shares.reserve(surface.points.size());
+  for (std::size_t p = 0; p < surface.points.size(); ++p) {
+    const ContactPoint& point = surface.points[p];
+    double mass = 0;
+    for (std::size_t k = 0; k < 3; ++k) mass += point.weights[k] * masses[point.vertices[k]];
+    shares.push_back(kept_share(stiffness[p], mass, length));
+  }
+  return shares;
+}
+
 void soften(ContactMemory& memory, const ContactSurface& surface, const std::vector<double>& before,
             const std::vector<double>& after) {
   if (memory.size() < surface.row_count) return;

@@ -58,6 +58,7 @@ PairSearch::PairSearch(const Model& model) : self_(model.contact.self), bodies_(
 void PairSearch::materials_changed(const Model& model, std::span<ContactForce> memory) {
   if (empty()) return;
   penalty_ = 2 * kContactPenalty * model.contact.stiffness;  // of two sides in a row
+  masses_ = lumped_masses(model);
   const std::vector<double> before = std::exchange(softness_, tissue_stiffness(model, areas_));
   for (const std::uint32_t v : vertices_) softness_[v] = 1 / softness_[v];
   for (std::uint32_t slot = 0; slot < slot_count_ && met_row(slot) < memory.size(); ++slot) {
@@ -159,8 +160,10 @@ std::vector<char> PairSearch::carried(std::span<const ContactForce> before) cons
 }
 
 std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
-                                      std::span<const ContactForce> before) {
+                                      std::span<const ContactForce> before, double length) {
   cuts_ = false;
+  length_ = length;
+  whole_.assign(slot_count_, 0);
   if (empty()) return {};
   normal_.assign(slot_count_, 0);
   pressed_.assign(slot_count_, 0);
@@ -181,6 +184,13 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
   place();
   keep_guards();
   return find_pairs();
+}
+
+double PairSearch::kept_share_of(const PairRow& row) const {
+  double mobility = 0;  // [1/kg]
+  for (std::size_t k = 0; k < 4; ++k)
+    if (!held_[row.vertices[k]]) mobility += row.weights[k] * row.weights[k] / masses_[row.vertices[k]];
+  return kept_share(row.stiffness, 1 / mobility, length_);
 }
 
 std::vector<PairRow> PairSearch::find_again() {
@@ -219,6 +229,7 @@ std::vector<PairRow> PairSearch::find_pairs() {
       row.start += row.weights[k] * (start_[row.vertices[k]] - rest_[row.vertices[k]]);
     }
     row.before = normal_[row.slot];
+    row.kept = whole_[row.slot] ? 1 : kept_share_of(row);
     const double gap = row.normal.dot(x);
     row.gap = gap - std::min(skin_, gap + kParting * skin_);
     for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy

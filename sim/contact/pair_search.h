@@ -18,6 +18,7 @@
 #pragma once
 #include <algorithm>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,9 +51,10 @@ class PairSearch {
   /// where gravity alone would lead it, edges would meet what they slide over.
   std::vector<char> carried(std::span<const ContactForce> before) const;
   /// The pairs of a step, by ascending slot. `start` and `end`: displacements [vertex_count] at the start, and where
-  /// velocities lead [m]; `before` [row_count]: the memory that the step before left.
+  /// velocities lead [m]; `before` [row_count]: the memory that the step before left; `length`: of the stage [s].
   std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
-                            std::span<const ContactForce> before);
+                            std::span<const ContactForce> before,
+                            double length = std::numeric_limits<double>::infinity());
 
   /// After find(), with the result of its step: whether the step must be solved again, since an edge of the surface
   /// goes through a triangle that it did not go through at the start, or a pair was pressed in by most of the skin.
@@ -95,6 +97,7 @@ class PairSearch {
   static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
   std::vector<PairRow> find_pairs();
+  double kept_share_of(const PairRow& row) const;
   /// Of the two sides of a pair [m/Pa]. A guard does not know what it met (PairRow::met 0): twice that of its slot.
   double softness_between(const std::vector<double>& softness, std::uint32_t slot, double met) const;
   void keep_guards();
@@ -146,7 +149,8 @@ class PairSearch {
 
   bool self_ = false, bodies_ = false;
   double skin_ = 0, edge_ = 0;  // [m]; edge: the mean length of edges
-  double penalty_ = 0;
+  double penalty_ = 0, length_ = 0;
+  std::vector<double> masses_;                                       // [vertex_count] [kg]
   std::uint32_t slot_count_ = 0, body_slots_ = 0, first_guard_ = 0;  // slots of guards: vertices, then edges
   std::vector<Eigen::Vector3d> rest_;
   std::vector<char> held_;
@@ -171,6 +175,7 @@ class PairSearch {
   std::vector<char> pressed_;                    // [slot] in the step before
   std::vector<std::uint32_t> met_;               // [slot] PairRow::met of the step before
   std::vector<double> normal_;                   // [slot] force that pairs start with [N]
+  std::vector<char> whole_;                      // [slot] presses harder, and keeps all of its force
   std::vector<PairRow> guards_;
   bool cuts_ = false;
   std::vector<char> raised_;  // [slot] since the last search

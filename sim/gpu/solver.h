@@ -156,7 +156,7 @@ class GpuSolver {
   std::vector<IntegratorStage> next_stages() const;  // of the next substep
   void upload_step(const IntegratorStage& stage);
   void begin_stage(const IntegratorStage& stage);
-  void place_tools(double duration);
+  void place_tools(const IntegratorStage& stage);
   void begin_step();                           // of time_step
   ToolMotion next_tools() const;               // in the next one
   bool takes_contact(int iteration) const;     // before it, into the coarse level

@@ -43,7 +43,7 @@ void GpuSolver::upload_step(const IntegratorStage& stage) {
 
 void GpuSolver::begin_stage(const IntegratorStage& stage) {
   if (stage != stage_) upload_step(stage);
-  place_tools(stage.duration);
+  place_tools(stage);
   time_ += stage.duration;
   ++stages_solved_;
   published_ = false;
@@ -63,12 +63,12 @@ ToolMotion GpuSolver::next_tools() const {
   return led_motion_ ? *led_motion_ : motion_on_paths(given_.tools, time_, time_ + settings_.time_step);
 }
 
-void GpuSolver::place_tools(double duration) {
+void GpuSolver::place_tools(const IntegratorStage& stage) {
   if (!contact_.acts()) return;
   const double from = (time_ - step_begin_) / settings_.time_step;
-  stage_motion_ = step_motion_.part(from, from + duration / settings_.time_step);
+  stage_motion_ = step_motion_.part(from, from + stage.duration / settings_.time_step);
   if (!touches()) return;
-  contact_.begin_stage(stage_motion_, time_ + duration, duration, stiffness_of(terms_), buffers_);
+  contact_.begin_stage(stage_motion_, time_ + stage.duration, stage, stiffness_of(terms_), buffers_);
 }
 
 // What begins to press within the iterations, or leaves what it touched, would be held as at the start of the stage:
@@ -137,7 +137,7 @@ void GpuSolver::end_iterations() {
     fused->check.run();
   else
     run(kind_->passes.check);
-  if (touches()) contact_.translate_bodies(stage_.length, buffers_);
+  if (touches()) contact_.translate_bodies(buffers_);
 }
 
 void GpuSolver::solve_stage(const IntegratorStage& stage) {

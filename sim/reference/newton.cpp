@@ -82,19 +82,21 @@ struct NewtonSolver::Impl {
   /// Of a step from `start` under the forces in `memory`; `end`: where velocities lead, if anything `moves`.
   std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const std::vector<Vector3d>& end,
                                                     const std::vector<double>& stiffness, const ToolMotion& motion,
-                                                    ContactMemory& memory, bool moves = false,
-                                                    const Vector3d& fall = {0, 0, 0}) {
+                                                    ContactMemory& memory, const IntegratorStage* stage = nullptr) {
     memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
     std::vector<Vector3d> path = end;
-    if (moves && !pairs.empty()) {
+    if (!stage)
+      return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
+                                             pairs.find(vectors_of(start), end, before));
+    if (!pairs.empty()) {
       const std::vector<char> carried = pairs.carried(before);
       for (std::size_t v = 0; v < path.size(); ++v)
-        if (falls[v] && carried[v]) path[v] -= fall;
+        if (falls[v] && carried[v]) path[v] -= fall_in(*stage);
     }
+    if (kept_in != stage->length) kept = kept_shares(model, contact, stiffness, kept_in = stage->length);
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                           pairs.find(vectors_of(start), path, before),
-                                           moves ? end : std::vector<Vector3d>());
+                                           pairs.find(vectors_of(start), path, before, stage->length), end, kept);
   }
   /// After pairs.misses().
   std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const std::vector<double>& stiffness,
@@ -102,8 +104,10 @@ struct NewtonSolver::Impl {
                                                      ContactMemory& memory) {
     std::vector<PairRow> rows = pairs.find_again();
     for (const PairRow& row : rows) memory[contact.row_count + force_row(row.slot)].normal = row.before;
-    return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion, std::move(rows), aim);
+    return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion, std::move(rows), aim,
+                                           kept);
   }
+  Vector3d fall_in(const IntegratorStage& stage) const { return stage.duration * stage.duration * model.gravity; }
   void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
     loads = energy->loads(u);
     pair_loads = energy->pairs().loads(u);
@@ -141,7 +145,9 @@ struct NewtonSolver::Impl {
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
   PairSearch pairs;
-  std::vector<char> falls;          // [vertex] in unconstrained parts
+  std::vector<char> falls;   // [vertex] in unconstrained parts
+  std::vector<double> kept;  // [point] in stages of the length `kept_in` [s]
+  double kept_in = 0;
   std::optional<ToolMotion> tools;  // none: on their paths
   std::vector<ToolLoad> loads;
   std::vector<PairLoad> pair_loads;
@@ -206,11 +212,10 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   std::vector<Vector3d> aim;
   if (touches()) {
     aim = vectors_of(old + stage.duration * velocity);
-    const Vector3d fall = stage.duration * stage.duration * model.gravity;
     for (std::size_t v = 0; v < aim.size(); ++v)
-      if (falls[v]) aim[v] += fall;
+      if (falls[v]) aim[v] += fall_in(stage);
     place_prescribed(model, state.time + stage.duration, aim);
-    potential.contact = contact_from(old, aim, penalty, motion, state.contact, true, fall);
+    potential.contact = contact_from(old, aim, penalty, motion, state.contact, &stage);
   }
 
   // The inertial prediction is the better start, but not if it inverts tets.

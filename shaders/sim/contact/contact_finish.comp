@@ -3,7 +3,7 @@
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/point.glsl"
-INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
+INPUT_VEC4(ContactRest, contact_rest)  // [2 * points] point.glsl
 #include "sim/contact/row.glsl"
 #if PAIRS
 #include "sim/contact/pair.glsl"
@@ -28,10 +28,11 @@ void main() {
     return;
   }
 #endif
-  vec4 rest = FETCH(contact_rest, i), force = vec4(0.0);
+  vec4 rest = FETCH(contact_rest, 2u * i), force = vec4(0.0);
+  float kept = FETCH(contact_rest, 2u * i + 1u).x;
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = row_at(piece, row, rest, u, contact_memory_now[row], contact_row[row]);
+    Row r = row_at(piece, row, rest, kept, u, contact_memory_now[row], contact_row[row]);
     vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);

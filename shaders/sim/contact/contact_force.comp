@@ -3,7 +3,7 @@
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/point.glsl"
-INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
+INPUT_VEC4(ContactRest, contact_rest)  // [2 * points] point.glsl
 #include "sim/contact/row.glsl"
 #if PAIRS
 #include "sim/contact/pair.glsl"
@@ -31,10 +31,11 @@ void main() {
 #endif
   {
     uint near = FETCH1(contact_near, i);  // not 0: the point is listed
-    vec4 rest = FETCH(contact_rest, i);
+    vec4 rest = FETCH(contact_rest, 2u * i);
+    float kept = FETCH(contact_rest, 2u * i + 1u).x;
     do {
       uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-      Row r = row_at(piece, row, rest, u, FETCH(contact_memory, row), FETCH(contact_anchor, row));
+      Row r = row_at(piece, row, rest, kept, u, FETCH(contact_memory, row), FETCH(contact_anchor, row));
       force += vec4(force_of(r), energy_of(r));
       add_stiffness(block, r, FETCH(contact_normal, row).xyz);
       near &= near - 1u;

@@ -4,7 +4,7 @@
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
-INPUT_VEC4(ContactRest, contact_rest)  // [points] xyz position at rest [m]
+INPUT_VEC4(ContactRest, contact_rest)  // [2 * points] point.glsl
 INPUT_VEC4(Displacement, displacement)      // [vertex_count] u [m]
 INPUT_VEC4(ContactRow, contact_row)         // [rows] xyz force [N], w depth [m], -1 if apart
 OUTPUT(vec4, ContactLoads, contact_loads)   // [2 * LOAD_LANES * pieces] xyz force, w points; xyz torque, w largest depth
@@ -19,7 +19,7 @@ void main() {
     if (row.w == 0.0 && dot(row.xyz, row.xyz) == 0.0) continue;
     uvec4 vertices = FETCH(contact_vertices, p);
     vec4 weights = FETCH(contact_weights, p);
-    vec3 x = FETCH(contact_rest, p).xyz + AT_POINT(displacement, vertices, weights);
+    vec3 x = FETCH(contact_rest, 2u * p).xyz + AT_POINT(displacement, vertices, weights);
     force += vec4(row.xyz, row.w >= 0.0 ? 1.0 : 0.0);
     torque.xyz += cross(x - origin, row.xyz);
     torque.w = max(torque.w, row.w);

@@ -5,7 +5,7 @@
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
-INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m]
+INPUT_VEC4(ContactRest, contact_rest)              // [2 * points] point.glsl
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
@@ -22,7 +22,7 @@ void main() {
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
   vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
-  vec3 x = FETCH(contact_rest, i).xyz + start;
+  vec3 x = FETCH(contact_rest, 2u * i).xyz + start;
   float reach = 2.0 * length(way);
   uint near = 0u, piece = 0u;
   do {  // llvmpipe runs the body of other loops once more

@@ -9,7 +9,7 @@ COMPUTE_1D
 #include "sim/contact/point.glsl"
 #include "common/step.glsl"
 #include "sim/contact/support.glsl"
-INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m], w penalty [N/m]
+INPUT_VEC4(ContactRest, contact_rest)              // [2 * points] point.glsl
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] w lambda [N]
@@ -39,7 +39,7 @@ void main() {
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
   vec3 start = AT_POINT(start_displacement, vertices, weights), way = AT_POINT(displacement, vertices, weights) - start;
-  vec3 rest = FETCH(contact_rest, i).xyz, x = rest + start;
+  vec3 rest = FETCH(contact_rest, 2u * i).xyz, x = rest + start;
   uint body = contact_bodies[BODY_OF_POINT(i)], force = FORCE_OF_BODY(body), leader = contact_bodies[LEADER_OF_POINT(i)];
   float mass = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]);
   if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u]))
@@ -52,7 +52,7 @@ void main() {
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
-    float penalty = share_of_penalty(piece) * FETCH(contact_rest, i).w;
+    float penalty = share_of_penalty(piece) * FETCH(contact_rest, 2u * i).w;
     float sliding = max(STICKING * penalty, friction_of(piece) * FETCH(contact_memory, row).w / full_slip(piece));
     contact_anchor[row] = vec4(anchor, sliding);
     vec3 first = to_local(end, x), last = to_local(end, x + way), inward = last - first;

@@ -7,7 +7,7 @@ COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
 #include "sim/contact/support.glsl"
-INPUT_VEC4(ContactRest, contact_rest)              // [points] xyz position at rest [m]
+INPUT_VEC4(ContactRest, contact_rest)              // [2 * points] point.glsl
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
 INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes of the piece, w lambda [N]
@@ -32,7 +32,7 @@ void main() {
     uvec4 vertices = FETCH(contact_vertices, i);
     vec4 weights = FETCH(contact_weights, i);
     PiecePose pose = pose_at_start(piece);
-    vec3 start = AT_POINT(start_displacement, vertices, weights), x = FETCH(contact_rest, i).xyz + start;
+    vec3 start = AT_POINT(start_displacement, vertices, weights), x = FETCH(contact_rest, 2u * i).xyz + start;
     way = AT_POINT(displacement, vertices, weights) - start - SUBSTEP * SUBSTEP * GRAVITY;
     vec3 normal = distance_to(piece, to_local(pose, x)).xyz;
 #if MESHES

@@ -11,9 +11,10 @@ struct Row {
   float bound;                             // b [N]
 };
 
-// `rest`: xyz place at rest [m], w penalty; `memory`: xyz t in the axes of the piece, w lambda; `anchor`: the u with which
+// `rest`: xyz place at rest [m], w penalty; `kept`: lambda over the force before; `memory`: xyz t in the axes of the piece,
+// w that force; `anchor`: the u with which
 // the point would go where the piece goes, w c.
-Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec4 anchor) {
+Row row_at(uint piece, uint row, vec4 rest, float kept, vec3 u, vec4 memory, vec4 anchor) {
   vec3 x = rest.xyz + u;
   PiecePose pose = pose_at_end(piece);
   vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
@@ -22,12 +23,12 @@ Row row_at(uint piece, uint row, vec4 rest, vec3 u, vec4 memory, vec4 anchor) {
     d.xyz = pose.axes * d.xyz;
   }
   Row r;
-  r.before = memory.w;
+  r.before = kept * memory.w;
   r.penalty = share_of_penalty(piece) * rest.w;
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;
-  r.bound = friction_of(piece) * r.before;
+  r.bound = friction_of(piece) * memory.w;
   r.sliding = anchor.w;
   vec3 q = pose.axes * memory.xyz - r.sliding * (u - anchor.xyz);
   r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);

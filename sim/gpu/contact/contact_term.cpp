@@ -99,7 +99,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   none[1] = none[2] = 1;
   vertices_ = gl::Buffer("contact_vertices", vertices);
   weights_ = gl::Buffer("contact_weights", std::vector<vec4>(all));
-  rest_ = gl::Buffer("contact_rest", std::vector<vec4>(std::max(point_count(), 1u)));
+  rest_ = gl::Buffer("contact_rest", std::vector<vec4>(2 * std::max(point_count(), 1u)));
   begin_ = gl::Buffer("contact_begin", std::vector<std::uint32_t>(buffers.vertex_count + std::size_t{1}));
   end_ = gl::Buffer("contact_end", std::vector<std::uint32_t>(buffers.vertex_count));
   entries_ = gl::Buffer("contact_entries", 2 * sizeof(Entry) * entries);
@@ -141,6 +141,7 @@ std::uint32_t ContactTerm::stretches() const { return std::max(1u, (point_count(
 
 void ContactTerm::upload_points(const Model& model) {
   stiffness_ = contact_stiffness(model, surface_);
+  if (length_ > 0) kept_ = kept_shares(model, surface_, stiffness_, length_);
   std::vector<vec4> weights, rest;
   for (std::size_t p = 0; p < surface_.points.size(); ++p) {
     const ContactPoint& point = surface_.points[p];
@@ -148,6 +149,7 @@ void ContactTerm::upload_points(const Model& model) {
     for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
     weights.push_back(row_of({point.weights[0], point.weights[1], point.weights[2]}));
     rest.push_back(row_of(x, stiffness_[p]));
+    rest.push_back(row_of({kept_.empty() ? 1 : kept_[p], 0, 0}));
   }
   weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
   rest_.upload(0, rest.size() * sizeof(vec4), rest.data());
@@ -182,30 +184,35 @@ void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
   if (!pairs_.empty()) translations_.materials_changed(model);
 }
 
-void ContactTerm::begin_stage(const ToolMotion& motion, double time, double duration,
+void ContactTerm::begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage,
                               const std::vector<VertexStiffness>& springs, SimBuffers& buffers) {
   if (!acts()) return;
   read_list_.clear();
+  if (length_ != stage.length) {
+    length_ = stage.length;
+    const std::vector<double> kept = kept_shares(model_, surface_, stiffness_, length_);
+    if (kept != kept_) upload_points(model_);
+  }
   if (!surface_.empty()) place_pieces(motion);
   motion_ = motion;
   if (!pairs_.empty()) {
     const bool had_pairs = !pairs_.rows().empty();
-    pairs_.begin(time, duration, buffers, surface_.row_count);
+    pairs_.begin(time, stage, buffers, surface_.row_count);
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
     translations_.begin(springs);
   }
   starts_.begin(model_.gravity, pairs_);
 }
 
-void ContactTerm::translate_bodies(double length, SimBuffers& buffers) const {
+void ContactTerm::translate_bodies(SimBuffers& buffers) const {
   if (pairs_.rows().empty()) return;
   std::vector<Vector3d> u = buffers.download_vectors(buffers.displacement);
   ContactMemory before = buffers.contact_forces(buffers.contact_before);
   for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;
   const Eigen::VectorXd start =
       Eigen::Map<const Eigen::VectorXd>(pairs_.start().data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
-  translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows()),
-                     buffers.download_vectors(buffers.predicted), length, u);
+  translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_),
+                     buffers.download_vectors(buffers.predicted), length_, u);
   buffers.upload_displacements(u);
 }
 
@@ -254,7 +261,7 @@ void ContactTerm::upload_pairs() {
     constants.push_back(row_of(pair.normal, pair.gap));
     constants.push_back(row_of(pair.start, pair.stiffness));
     constants.push_back(
-        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), 0}));
+        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), pair.kept}));
     listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
   }
   vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());

@@ -28,18 +28,18 @@ class ContactTerm : public EnergyTerm {
 
   /// Also softens the forces in the buffers' contact_memory where tissue became softer. Waits for the GPU.
   void materials_changed(const Model& model, SimBuffers& buffers);
-  /// The poses of a stage of `duration` that ends at `time` [s], and the pairs of the tissue, on which `springs` act,
-  /// at places of the buffers' vertices. Waits for the GPU where tissue touches tissue.
-  void begin_stage(const ToolMotion& motion, double time, double duration, const std::vector<VertexStiffness>& springs,
-                   SimBuffers& buffers);
+  /// The poses of a stage that ends at `time` [s], and the pairs of the tissue, on which `springs` act, at places of
+  /// the buffers' vertices. Waits for the GPU where tissue touches tissue.
+  void begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage,
+                   const std::vector<VertexStiffness>& springs, SimBuffers& buffers);
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
-  /// After the iterations of a stage of this length [s]: moves bodies that touch others as wholes
-  /// (body_translations.h). Waits for the GPU where there are pairs.
-  void translate_bodies(double length, SimBuffers& buffers) const;
+  /// After the iterations of a stage: moves bodies that touch others as wholes (body_translations.h). Waits for the GPU
+  /// where there are pairs.
+  void translate_bodies(SimBuffers& buffers) const;
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
@@ -138,7 +138,8 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer rows_, normals_, forces_, blocks_, loads_;
   gl::Buffer sums_;                        // of contact_gather.comp; absent on GPUs
   gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
-  std::vector<double> stiffness_;          // [point] of the penalty on depth [N/m]
+  std::vector<double> stiffness_, kept_;   // [point] of the penalty on depth [N/m]; kept_shares() of the stage
+  double length_ = 0;                      // of the stage [s]
   std::vector<shared::vec4> uploaded_;     // of pieces_
   std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()
   std::vector<shared::vec4> read_blocks_;  // of blocks_

@@ -22,8 +22,9 @@ void PairStage::materials_changed(const Model& model, std::span<ContactForce> me
   search_.materials_changed(model, memory);
 }
 
-void PairStage::begin(double time, double duration, SimBuffers& buffers, std::uint32_t first_row) {
-  duration_ = duration;
+void PairStage::begin(double time, const IntegratorStage& stage, SimBuffers& buffers, std::uint32_t first_row) {
+  const double duration = duration_ = stage.duration;
+  length_ = stage.length;
   start_ = buffers.download_vectors(buffers.displacement);
   const std::vector<Vector3d> velocity = buffers.download_vectors(buffers.velocity);
   end_ = start_;
@@ -69,7 +70,7 @@ void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
   const std::vector<char> carried = search_.carried(forces);
   for (std::size_t v = 0; v < path.size(); ++v)
     if (falls_[v] && carried[v]) path[v] -= duration_ * duration_ * model_.gravity;
-  rows_ = timed([&] { return search_.find(start_, path, forces); });
+  rows_ = timed([&] { return search_.find(start_, path, forces, length_); });
   upload_forces(buffers, first_row);
 }
 

@@ -17,9 +17,9 @@ class PairStage {
   std::uint32_t slot_count() const { return search_.slot_count(); }  // at most so many pairs
   std::uint32_t row_count() const { return search_.row_count(); }    // of the memory of contact
 
-  /// Finds the pairs of a stage of `duration` that ends at `time` [s]. Forces without a pair are forgotten, in the rows
+  /// Finds the pairs of a stage that ends at `time` [s]. Forces without a pair are forgotten, in the rows
   /// of the memory of contact from `first_row` on. Waits for the GPU.
-  void begin(double time, double duration, SimBuffers& buffers, std::uint32_t first_row);
+  void begin(double time, const IntegratorStage& stage, SimBuffers& buffers, std::uint32_t first_row);
   /// If the iterations led tissue through tissue, finds the pairs that are met on the way to their result. Waits for
   /// the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers, std::uint32_t first_row);
@@ -53,7 +53,7 @@ class PairStage {
 
   const Model& model_;  // its materials may change
   PairSearch search_;
-  double search_ms_ = 0, duration_ = 0;
+  double search_ms_ = 0, duration_ = 0, length_ = 0;
   long taken_back_ = 0;
   std::vector<PairRow> rows_;
   std::vector<shared::vec4> before_;  // [row] that the step before left: of forces xyz friction, w the normal one [N]
