@@ -25,18 +25,23 @@ struct Pressing {
 };
 
 Pressing pressing_of(double force, double round) {
-  const double root = std::sqrt(force * force + 4 * round * round);
-  const double rounded = force < 0 ? 2 * round * round / (root - force) : 0.5 * (force + root);
-  return {rounded, 0.5 * force * rounded + round * round * std::asinh(force / (2 * round)), 0.5 * (1 + force / root)};
+  if (force <= -round) return {0, 0, 0};
+  if (force >= round) return {force, 0.5 * force * force + round * round / 6, 1};
+  const double over = force + round;
+  return {over * over / (4 * round), over * over * over / (12 * round), over / (2 * round)};
 }
 
 class Problem {
  public:
   Problem(const std::vector<BodyInertia>& bodies, const std::vector<BodyContact>& contacts, double length)
-      : contacts_(contacts), first_(bodies.size(), -1) {
+      : first_(bodies.size(), -1) {
     Index count = 0;
-    for (std::size_t body = 0; body < bodies.size(); ++body)
-      if (bodies[body].mass > 0) first_[body] = 3 * count++;
+    double reach = 0;  // [m] that a body may go, amply
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      if (!(bodies[body].mass > 0)) continue;
+      first_[body] = 3 * count++;
+      reach = std::max(reach, 8 * bodies[body].missing.norm() / bodies[body].mass);
+    }
     inertia_.setZero(3 * count);
     pull_.setZero(3 * count);
     for (std::size_t body = 0; body < bodies.size(); ++body) {
@@ -44,11 +49,15 @@ class Problem {
       inertia_.segment<3>(first_[body]).setConstant(bodies[body].mass / (length * length));
       pull_.segment<3>(first_[body]) = bodies[body].missing / (length * length);
     }
+    for (const BodyContact& c : contacts) reach = std::max(reach, 2 * (c.depth + c.before / c.stiffness));
+    for (const BodyContact& c : contacts)
+      if (c.bound > 0 || c.before + c.stiffness * (c.depth + reach) > 0) contacts_.push_back(c);
   }
 
   Index unknowns() const { return pull_.size(); }
+  /// Of contact where bodies are, and of inertia [N].
   double largest_force() const {
-    double largest = 0;
+    double largest = unknowns() > 0 ? pull_.cwiseAbs().maxCoeff() : 0;
     for (const BodyContact& c : contacts_) largest = std::max(largest, c.before + c.stiffness * c.depth);
     return largest;
   }
@@ -91,35 +100,39 @@ class Problem {
   }
 
  private:
-  const std::vector<BodyContact>& contacts_;
-  std::vector<Index> first_;  // [body] of its unknowns, or -1
+  std::vector<BodyContact> contacts_;  // that press, or may
+  std::vector<Index> first_;           // [body] of its unknowns, or -1
   VectorXd inertia_, pull_;
 };
 
 }  // namespace
 
 std::vector<Vector3d> best_translations(const std::vector<BodyInertia>& bodies,
-                                        const std::vector<BodyContact>& contacts, double length) {
+                                        const std::vector<BodyContact>& contacts, double length, double least) {
   constexpr int kMostSteps = 12, kMostHalves = 20;
-  constexpr double kEnough = 1e-9, kArmijo = 1e-4;  // of the first decrease, of the decrease that a step promises
+  constexpr double kArmijo = 1e-4;                                    // of the decrease that a step promises
+  constexpr double kRounds[] = {1e-5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
   const Problem problem(bodies, contacts, length);
   VectorXd d = VectorXd::Zero(problem.unknowns()), gradient, there;
   const double largest = problem.largest_force();
   if (problem.unknowns() == 0 || !(largest > 0)) return problem.of_bodies(d);
   MatrixXd hessian;
-  for (const double round : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {  // of the largest force
-    double first = 0;
+  for (const double& share_of_largest : kRounds) {
+    const double round = share_of_largest * largest;
     for (int step = 0; step < kMostSteps; ++step) {
-      const double energy = problem.evaluate(d, round * largest, gradient, &hessian);
+      const double energy = problem.evaluate(d, round, gradient, &hessian);
       const VectorXd way = hessian.ldlt().solve(-gradient);
       const double promised = -way.dot(gradient);
-      first = std::max(first, promised);
-      if (!(promised > kEnough * first)) break;
+      const bool enough = !(way.cwiseAbs().maxCoeff() > least);
+      if (&share_of_largest == kRounds) {  // most bodies are where they should be
+        if (enough) return problem.of_bodies(d);
+        break;
+      }
+      if (enough) break;
       double share = 1;
       int half = 0;
       for (; half < kMostHalves; ++half, share *= 0.5)
-        if (problem.evaluate(d + share * way, round * largest, there, nullptr) <= energy - kArmijo * share * promised)
-          break;
+        if (problem.evaluate(d + share * way, round, there, nullptr) <= energy - kArmijo * share * promised) break;
       if (half == kMostHalves) break;
       d += share * way;
     }
@@ -130,7 +143,8 @@ std::vector<Vector3d> best_translations(const std::vector<BodyInertia>& bodies,
 BodyTranslations::BodyTranslations(const Model& model, const SimBuffers& buffers)
     : bodies_(bodies_of_vertices(model)),
       at_place_(buffers.vertex_count),
-      held_(std::max<std::size_t>(model.bodies.size(), 1)) {
+      held_(std::max<std::size_t>(model.bodies.size(), 1)),
+      least_(1e-9 * buffers.size) {
   const std::vector<char> held = model.held();
   for (std::size_t v = 0; v < held.size(); ++v) {
     at_place_[buffers.placement.place[v]] = bodies_[v];
@@ -147,7 +161,7 @@ void BodyTranslations::begin(const std::vector<VertexStiffness>& springs) {
   for (const VertexStiffness& spring : springs) free_[at_place_[spring.vertex]] = 0;
 }
 
-void BodyTranslations::move(const ContactEnergy& contact, const std::vector<Vector3d>& predicted, double length,
+bool BodyTranslations::move(const ContactEnergy& contact, const std::vector<Vector3d>& predicted, double length,
                             std::vector<Vector3d>& u) const {
   std::vector<BodyInertia> bodies(free_.size());
   for (std::size_t v = 0; v < masses_.size(); ++v) {
@@ -155,9 +169,11 @@ void BodyTranslations::move(const ContactEnergy& contact, const std::vector<Vect
     bodies[bodies_[v]].mass += masses_[v];
     bodies[bodies_[v]].missing += masses_[v] * (predicted[v] - u[v]);
   }
-  const std::vector<Vector3d> ways = best_translations(bodies, contact.of_bodies(bodies_, flat(u)), length);
+  const std::vector<Vector3d> ways = best_translations(bodies, contact.of_bodies(bodies_, flat(u)), length, least_);
+  if (std::all_of(ways.begin(), ways.end(), [](const Vector3d& way) { return way.isZero(0); })) return false;
   for (std::size_t v = 0; v < masses_.size(); ++v)
     if (masses_[v] > 0) u[v] += ways[bodies_[v]];
+  return true;
 }
 
 }  // namespace fascia

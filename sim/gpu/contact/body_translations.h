@@ -19,9 +19,10 @@ struct BodyInertia {
   Eigen::Vector3d missing{0, 0, 0};  // sum of m (u~ - u) over its vertices [kg m]
 };
 
-/// [body] the translations [m] in a stage of this length [s]. Tools count as the planes that they are where points are.
+/// [body] the translations [m] in a stage of this length [s], to `least` [m]. Tools count as the planes that they are
+/// where points are.
 std::vector<Eigen::Vector3d> best_translations(const std::vector<BodyInertia>& bodies,
-                                               const std::vector<BodyContact>& contacts, double length);
+                                               const std::vector<BodyContact>& contacts, double length, double least);
 
 class BodyTranslations {
  public:
@@ -31,8 +32,9 @@ class BodyTranslations {
 
   /// In a stage with springs at places of the buffers' vertices: bodies that are held, or that a spring pulls, stay.
   void begin(const std::vector<VertexStiffness>& springs);
-  /// Moves the bodies from displacements `u` [vertex of the model]. `predicted`: u~ [m]; `length`: of the stage [s].
-  void move(const ContactEnergy& contact, const std::vector<Eigen::Vector3d>& predicted, double length,
+  /// Moves the bodies from displacements `u` [vertex of the model]; false: all are where they should be. `predicted`:
+  /// u~ [m]; `length`: of the stage [s].
+  bool move(const ContactEnergy& contact, const std::vector<Eigen::Vector3d>& predicted, double length,
             std::vector<Eigen::Vector3d>& u) const;
 
  private:
@@ -40,6 +42,7 @@ class BodyTranslations {
   std::vector<std::uint32_t> at_place_;  // [place of a vertex] its body
   std::vector<double> masses_;           // [vertex of the model] [kg]
   std::vector<char> held_, free_;        // [body]
+  double least_ = 0;                     // [m] that matters in single precision
 };
 
 }  // namespace fascia

@@ -211,9 +211,9 @@ void ContactTerm::translate_bodies(SimBuffers& buffers) const {
   for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;
   const Eigen::VectorXd start =
       Eigen::Map<const Eigen::VectorXd>(pairs_.start().data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
-  translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_),
-                     buffers.download_vectors(buffers.predicted), length_, u);
-  buffers.upload_displacements(u);
+  if (translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_),
+                         buffers.download_vectors(buffers.predicted), length_, u))
+    buffers.upload_displacements(u);
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {

@@ -1,6 +1,7 @@
 #include "sim/contact/contact_energy.h"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "tests/sim/contact/energy_derivatives.h"
 #include "tests/sim/reference/box_model.h"
@@ -40,7 +41,9 @@ struct Pressed {
     start = 1e-3 * random.vector(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
     motion = motion_on_paths(model.tools, 0, 1);
   }
-  ContactEnergy energy() const { return {model, surface, stiffness, memory, start, motion}; }
+  ContactEnergy energy(const std::vector<double>& kept = {}) const {
+    return {model, surface, stiffness, memory, start, motion, {}, {}, kept};
+  }
 };
 
 TEST_CASE("forces of contact are the gradient of its energy, and its blocks their derivative", "[contact]") {
@@ -52,6 +55,21 @@ TEST_CASE("forces of contact are the gradient of its energy, and its blocks thei
     CAPTURE(friction);
     test::check_derivatives(energy, energy.blocks(u, false), u);
   }
+}
+
+TEST_CASE("a stage that is short beside the oscillation of penalty and mass keeps no multiplier", "[contact]") {
+  const double stiffness = 1e4, mass = 0.01;  // 1,000 rad/s
+  CHECK(kept_share(stiffness, mass, 0.001) == 0);
+  CHECK(kept_share(stiffness, mass, 0.00225) == Approx(0.5));
+  CHECK(kept_share(stiffness, mass, 0.004) == 1);
+  CHECK(kept_share(stiffness, mass, std::numeric_limits<double>::infinity()) == 1);
+  const Pressed pressed(0.5);
+  for (const double share : kept_shares(pressed.model, pressed.surface, pressed.stiffness, 1.0 / 60)) CHECK(share == 1);
+  const std::vector<double> half(pressed.surface.points.size(), 0.5);
+  const ContactEnergy energy = pressed.energy(half);
+  test::Random random(8);
+  const VectorXd u = pressed.start + 2e-3 * random.vector(pressed.start.size());
+  test::check_derivatives(energy, energy.blocks(u, false), u);
 }
 
 TEST_CASE("forces read out are opposite to those on the tissue, and friction keeps within its bound", "[contact]") {

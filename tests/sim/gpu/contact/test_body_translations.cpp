@@ -95,25 +95,25 @@ TEST_CASE("the best translations balance inertia, contact and friction", "[conta
   };
   SECTION("on a plane: each direction by itself") {
     const std::vector<BodyInertia> bodies{{2, {0.06, -0.002, 0}}};
-    const Vector3d way = best_translations(bodies, {contact({0, BodyContact::kTool}, 0)}, length)[0];
+    const Vector3d way = best_translations(bodies, {contact({0, BodyContact::kTool}, 0)}, length, 1e-12)[0];
     // 2 / 0.01 d = -0.2 + 400 (0.01 - d)
     CHECK((way - Vector3d(0.03, 3.8 / 600, 0)).norm() < 1e-9);
   }
   SECTION("friction that holds, and friction that slides") {
     const std::vector<BodyInertia> bodies{{2, {0.06, 0, 0}}};
     const auto along = [&](double bound) {
-      return best_translations(bodies, {contact({0, BodyContact::kTool}, bound)}, length)[0].x();
+      return best_translations(bodies, {contact({0, BodyContact::kTool}, bound)}, length, 1e-12)[0].x();
     };
     CHECK(along(100) == Approx(6.0 / 240));  // 200 d + 40 d = 6
     CHECK(along(0.5) == Approx(5.5 / 200));  // 200 d + 0.5 = 6
   }
   SECTION("two bodies: momentum is kept, and one that stays does not move") {
     const std::vector<BodyInertia> both{{2, {0, -0.004, 0.01}}, {3, {0, 0.003, 0}}};
-    const std::vector<Vector3d> ways = best_translations(both, {contact({0, 1}, 0.3)}, length);
+    const std::vector<Vector3d> ways = best_translations(both, {contact({0, 1}, 0.3)}, length, 1e-12);
     CHECK((2 * ways[0] + 3 * ways[1] - Vector3d(0, -0.001, 0.01)).norm() < 1e-12);
     CHECK(ways[0].y() > ways[1].y());
     const std::vector<BodyInertia> one{{2, {0, -0.004, 0.01}}, {}};
-    CHECK(best_translations(one, {contact({0, 1}, 0.3)}, length)[1].norm() == 0);
+    CHECK(best_translations(one, {contact({0, 1}, 0.3)}, length, 1e-12)[1].norm() == 0);
   }
   SECTION("many points of which a few press: exact in a few rounded steps") {
     std::vector<BodyContact> contacts;
@@ -125,7 +125,7 @@ TEST_CASE("the best translations balance inertia, contact and friction", "[conta
       contacts.push_back(c);
     }
     const std::vector<BodyInertia> bodies{{0.5, {0.5 * 4e-3, -0.5 * 2.7e-3, 0}}};
-    const Vector3d way = best_translations(bodies, contacts, 1.0 / 60)[0];
+    const Vector3d way = best_translations(bodies, contacts, 1.0 / 60, 1e-12)[0];
     Vector3d missing = 3600 * (bodies[0].missing - 0.5 * way);  // and what contact adds is nothing
     const double weight = missing.norm();
     for (const BodyContact& c : contacts)

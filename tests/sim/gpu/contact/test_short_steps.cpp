@@ -1,0 +1,100 @@
+// Contact in steps that are short beside the oscillation of its penalty: blocks that fall and lie on the ground gain no
+// energy, and friction holds.
+// Covers: contact_term, contact_energy
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/gpu/solver.h"
+#include "sim/reference/newton.h"
+#include "tests/sim/gpu/contact/contact_scenes.h"
+#include "tests/support/touching_bodies.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Vector3d;
+
+// 1 kg that falls by 3 mm, or by 0.1 mm onto a block that is held.
+Model falling_block(bool on_tissue) {
+  const Material tissue = test::soft_tissue(2e4);
+  const Model block = test::cube(0.1, 3, tissue);
+  if (!on_tissue) {
+    Model model = test::moved(block, {0, 0.003, 0});
+    model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.3)};
+    return model;
+  }
+  const Model base =
+      test::make_model(make_box(4, 1, 4, {0.14, 0.05, 0.14}), tissue, [](const Vector3d& x) { return x.y() < 1e-9; });
+  Model model = test::beside(base, test::moved(block, {0.02, 0.054, 0.02}), "block");
+  model.gravity = block.gravity;
+  model.contact.friction = 0.3;
+  return model;
+}
+
+double energy_of(const Model& model, const State& state) {
+  const reference::Measures m = reference::measure(model, state);
+  return m.kinetic + m.elastic + m.gravitational;
+}
+
+SolverSettings of(Integrator integrator, double steps_per_second) {
+  SolverSettings settings = test::two_level();
+  settings.integrator = integrator;
+  settings.time_step = 1 / steps_per_second;
+  settings.rest_speed = 0;
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("a block on the ground gains no energy in steps of any length", "[gpu][contact]") {
+  const bool on_tissue = GENERATE(false, true);
+  const auto [integrator, steps_per_second] = GENERATE(
+      table<Integrator, double>({{Integrator::sdirk2, 480}, {Integrator::sdirk2, 1920}, {Integrator::bdf2, 1920}}));
+  const Model model = falling_block(on_tissue);
+  const SolverSettings settings = of(integrator, steps_per_second);
+  const double weight = 9.81, fall = 0.003;
+  CAPTURE(on_tissue, name_of(integrator), steps_per_second);
+  test::Gpu gpu;
+  GpuSolver solver(gpu.programs, model, settings);
+  reference::NewtonSolver newton(model, settings);
+  State exact = initial_state(model);
+  const double start = energy_of(model, exact);
+  double most = start, most_exact = start;
+  const int steps = static_cast<int>(0.25 * steps_per_second);
+  for (int i = 0; i < steps; ++i) {
+    solver.step();
+    if (i % 8 == 0) most = std::max(most, energy_of(model, solver.download()));
+    if (i >= steps / 2) continue;
+    newton.step(exact);
+    most_exact = std::max(most_exact, energy_of(model, exact));
+  }
+  CAPTURE(start, most, most_exact);
+  CHECK(most - start < 0.02 * weight * fall);
+  CHECK(most_exact - start < 0.02 * weight * fall);
+}
+
+TEST_CASE("friction holds a block on a slope in short steps", "[gpu][contact]") {
+  test::Gpu gpu;
+  Model model = test::cube(0.1, 3, test::soft_tissue(2e4, 0.02));
+  model.gravity = {0.15 * 9.81, -9.81, 0};
+  model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.3)};
+  GpuSolver solver(gpu.programs, model, of(Integrator::implicit_euler, 1920));
+  const auto middle = [&] {
+    Vector3d sum(0, 0, 0);
+    const State state = solver.download();
+    for (const Vector3d& u : state.displacement) sum += u / static_cast<double>(state.displacement.size());
+    return sum;
+  };
+  for (int i = 0; i < 1152; ++i) solver.step();
+  const Vector3d before = middle();
+  for (int i = 0; i < 192; ++i) solver.step();
+  const Vector3d after = middle();
+  solver.request_diagnostics();
+  const Vector3d force = solver.take_diagnostics(true)->tool_loads[0].force;
+  CAPTURE(before.transpose(), after.transpose(), force.transpose());
+  CHECK((after - before).norm() < 1e-5);  // it would slide by 25 mm in that time
+  CHECK(force.y() == Approx(9.81).epsilon(0.02));
+  CHECK(force.x() == Approx(-0.15 * 9.81).epsilon(0.03));
+}
+
+}  // namespace fascia
