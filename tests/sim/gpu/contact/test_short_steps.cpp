@@ -1,6 +1,6 @@
 // Contact in steps that are short beside the oscillation of its penalty: blocks that fall and lie on the ground gain no
 // energy, and friction holds.
-// Covers: contact_term, contact_energy
+// Covers: contact_term, contact_passes
 #include <catch2/catch.hpp>
 #include <cmath>
 
