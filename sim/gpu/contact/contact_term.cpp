@@ -46,6 +46,33 @@ std::array<std::uint32_t, 2> entry_of(std::uint32_t point, std::uint32_t corner,
   return {point | (corner == 0 ? kFirstCorner : 0), std::bit_cast<std::uint32_t>(weight)};
 }
 
+// Where contact has its origin on the GPU, so that places keep their digits in tissue that lies far from the scene's:
+// its middle. In tissue near the scene's origin, that.
+Vector3d middle_of_tissue(const Model& model, double size) {
+  constexpr double kFar = 4;  // sizes
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& x : model.rest_positions) box.extend(x);
+  const Vector3d middle = box.isEmpty() ? Vector3d(0, 0, 0) : Vector3d(box.center());
+  return middle.norm() > kFar * size ? middle : Vector3d(0, 0, 0);
+}
+
+// A shape whose own origin is moved to its middle, by the way [m] that is returned. Meshes are left.
+Vector3d move_to_middle(ToolShape& shape) {
+  struct Move {
+    Vector3d by;
+    void operator()(SphereShape& s) const { s.center -= by; }
+    void operator()(CapsuleShape& s) const { s.from -= by, s.to -= by; }
+    void operator()(BoxShape& s) const { s.center -= by; }
+    void operator()(PlaneShape& s) const { s.point -= by; }
+    void operator()(CylinderShape& s) const { s.from -= by, s.to -= by; }
+    void operator()(MeshShape&) const {}
+  };
+  if (std::holds_alternative<MeshShape>(shape)) return {0, 0, 0};
+  const Vector3d by = middle_of(shape);
+  std::visit(Move{by}, shape);
+  return by;
+}
+
 // The weights as the GPU has them: their sum is 0 there, too, so that forces stay equal and opposite.
 std::array<float, 4> weights_of(const PairRow& pair) {
   std::array<float, 4> w;
@@ -73,6 +100,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
                     ": ground, obstacles, instruments, jaws as two");
   if (!acts()) return;
   margin_ = kContactMargin * buffers.size;
+  origin_ = middle_of_tissue(model, buffers.size);
   make_grids();
   let_in_ = kLetIn * buffers.size;
   const std::size_t all = point_count() + pairs_.slot_count(), rows = std::max(surface_.row_count, 1u);
@@ -145,7 +173,7 @@ void ContactTerm::upload_points(const Model& model) {
   std::vector<vec4> weights, rest;
   for (std::size_t p = 0; p < surface_.points.size(); ++p) {
     const ContactPoint& point = surface_.points[p];
-    Vector3d x(0, 0, 0);
+    Vector3d x = -origin_;
     for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
     weights.push_back(row_of({point.weights[0], point.weights[1], point.weights[2]}));
     rest.push_back(row_of(x, stiffness_[p]));
@@ -229,14 +257,19 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
   for (const ContactPiece& piece : surface_.pieces) {
     const Tool& tool = tools_[piece.tool];
     const ToolPlace &from = motion.from[piece.tool], &to = motion.to[piece.tool];
-    const RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
-    const PieceRows shape = piece_rows_of(tool.shape, first_nodes_[piece.tool]);
-    const double share = 1.0 / (1 << (2 * piece.level)), reach = farthest_way(tool.shape, before, after) + margin_;
+    RigidPose before = tool.pose_of_piece(piece.piece, from), after = tool.pose_of_piece(piece.piece, to);
+    ToolShape placed = tool.shape;
+    if (!origin_.isZero()) {
+      const Vector3d by = move_to_middle(placed);
+      for (RigidPose* pose : {&before, &after}) pose->origin += pose->axes * by - origin_;
+    }
+    const PieceRows shape = piece_rows_of(placed, first_nodes_[piece.tool]);
+    const double share = 1.0 / (1 << (2 * piece.level)), reach = farthest_way(placed, before, after) + margin_;
     add(rows, after, tool.friction, share, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
-    rows.push_back(row_of(to.pose.origin, std::min(finest_radius(tool.shape), 1e30)));
+    rows.push_back(row_of(to.pose.origin - origin_, std::min(finest_radius(tool.shape), 1e30)));
     rows.push_back(row_of({surface_.full_slip, 0, 0}));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };

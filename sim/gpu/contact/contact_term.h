@@ -124,6 +124,7 @@ class ContactTerm : public EnergyTerm {
   ToolMotion motion_;                              // in the stage
   using Entry = std::array<std::uint32_t, 2>;      // shaders/sim/contact/entry.glsl
   std::vector<std::vector<Entry>> point_entries_;  // [vertex]
+  Eigen::Vector3d origin_{0, 0, 0};                // of contact on the GPU [m]
   double half_thickness_ = 0, margin_ = 0;         // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                              // [m] how deep inside tools bodies are taken
   BodyStarts starts_;

@@ -42,6 +42,29 @@ TEST_CASE("the ground carries a cube on the GPU", "[gpu][contact]") {
   CHECK(load.deepest < 5e-5 * 0.05);
 }
 
+TEST_CASE("far from the origin the ground carries a cube, and a ball presses it, as they do there", "[gpu][contact]") {
+  const Vector3d away = GENERATE(Vector3d(0, 1000, 0), Vector3d(300, -800, 500));
+  test::Gpu gpu;
+  Model model = test::moved(cube(0.2, 3, soft_tissue(1e5, 0.05)), away);
+  model.tools = {tool("ground", PlaneShape{away, {0, 1, 0}}, 0.5),
+                 tool("ball", SphereShape{{0, 0, 0}, 0.05}, 0.3, {{0, away + Vector3d(0.1, 0.245, 0.1), {0, 0, 0}}})};
+  Model near = test::moved(model, -away);
+  near.tools[0].shape = PlaneShape{{0, 0, 0}, {0, 1, 0}};
+  near.tools[1].path = {{0, Vector3d(0.1, 0.245, 0.1), {0, 0, 0}}};
+  const auto loads_of = [&](const Model& of) {
+    GpuSolver solver(gpu.programs, of, two_level());
+    for (int i = 0; i < 180; ++i) solver.step();
+    solver.request_diagnostics();
+    return solver.take_diagnostics(true)->tool_loads;
+  };
+  const std::vector<ToolLoad> far_loads = loads_of(model), near_loads = loads_of(near);
+  for (std::size_t t = 0; t < 2; ++t) {
+    CAPTURE(away.transpose(), t, far_loads[t].force.transpose(), near_loads[t].force.transpose());
+    CHECK((far_loads[t].force - near_loads[t].force).norm() < 1e-3 * near_loads[t].force.norm());
+    CHECK(far_loads[t].points == near_loads[t].points);
+  }
+}
+
 // A ball presses a cube down, and slides over it.
 Model pressed_cube() {
   Model model = cube(0.2, 6, soft_tissue(2e4));
