@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "sim/material/law.h"
 #include "sim/material/symmetric_eigen.h"
 
 namespace fascia {
@@ -57,8 +58,9 @@ class AlikeTets {
   /// Adds to the lower triangle of `a`.
   void add_stiffness(MatrixXd& a, double h) {
     if (count_ == 0) return;
-    const double scale = h * h * (1 + material_.damping / h), lambda = scale * material_.lame_lambda(),
-                 mu = scale * material_.lame_mu();
+    const double scale = h * h * (1 + material_.damping / h), mu = scale * material_.lame_mu(),
+                 not_viscous = h * material_.damping * (material_.lame_lambda() - viscous_lambda(material_)),
+                 lambda = scale * material_.lame_lambda() - not_viscous;
     sum_.noalias() = scaled_.leftCols(count_) * scaled_.leftCols(count_).transpose();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (std::size_t j = 0; j < nodes_.size(); ++j) {

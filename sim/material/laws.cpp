@@ -28,6 +28,11 @@ double damping_share(MaterialModel model, const Eigen::Matrix3d& previous_strain
   return law_of(model).fades_damping ? 1 / std::max(1.0, 1 + 2.0 / 3 * previous_strain.trace()) : 1;
 }
 
+double viscous_lambda(const Material& material) {
+  if (material.poisson_ratio <= kMostViscousRatio) return material.lame_lambda();
+  return 2 * kMostViscousRatio / (1 - 2 * kMostViscousRatio) * material.lame_mu();
+}
+
 bool reads(MaterialModel model, std::string_view field) {
   return std::all_of(material_laws().begin(), material_laws().end(), [&](const MaterialLaw* law) {
     return law->model == model || !law->own_field || field != law->own_field;

@@ -14,9 +14,13 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-double energy_density(const Matrix3d& strain, const Material& material) {
+double energy_density(const Matrix3d& strain, double lambda, double mu) {
   const double trace = strain.trace();
-  return 0.5 * material.lame_lambda() * trace * trace + material.lame_mu() * strain.squaredNorm();
+  return 0.5 * lambda * trace * trace + mu * strain.squaredNorm();
+}
+
+Matrix3d second_piola_stress(const Matrix3d& strain, double lambda, double mu) {
+  return lambda * strain.trace() * Matrix3d::Identity() + 2 * mu * strain;
 }
 
 bool is_st_venant_kirchhoff(const Matrix3d& f, const Material& material) {
@@ -40,7 +44,7 @@ Matrix3d green_strain_matrix(const LinearTet& rest, const Corners& displacements
 }
 
 Matrix3d second_piola_stress(const Matrix3d& strain, const Material& material) {
-  return material.lame_lambda() * strain.trace() * Matrix3d::Identity() + 2 * material.lame_mu() * strain;
+  return second_piola_stress(strain, material.lame_lambda(), material.lame_mu());
 }
 
 Matrix3d first_piola_stress(const Matrix3d& f, const Material& material) {
@@ -74,12 +78,16 @@ Derivatives elastic(const LinearTet& rest, const Corners& displacements, const M
   const Matrix3d strain = strain_of(h);
   const Matrix3d strain_change = strain - previous_strain;
   const bool plain = is_st_venant_kirchhoff(f, material);
-  const double share = (plain ? 1 : 0) + damping_over_h;  // weight of the terms with St. Venant-Kirchhoff's stiffness
-  const Matrix3d stress = second_piola_stress((plain ? 1 : 0) * strain + damping_over_h * strain_change, material);
+  // Of the terms with St. Venant-Kirchhoff's stiffness.
+  const double elastic_lambda = plain ? material.lame_lambda() : 0, elastic_mu = plain ? material.lame_mu() : 0;
+  const double damped_lambda = damping_over_h * viscous_lambda(material),
+               damped_mu = damping_over_h * material.lame_mu();
+  const Matrix3d stress = second_piola_stress(strain, elastic_lambda, elastic_mu) +
+                          second_piola_stress(strain_change, damped_lambda, damped_mu);
 
   Derivatives result;
-  result.energy = rest.volume * damping_over_h * energy_density(strain_change, material);
-  if (plain) result.energy += rest.volume * energy_density(strain, material);
+  result.energy = rest.volume * (energy_density(strain, elastic_lambda, elastic_mu) +
+                                 energy_density(strain_change, damped_lambda, damped_mu));
   const Eigen::Matrix<double, 3, 4> fb = f * rest.gradients;  // F b_a
   Eigen::Map<Eigen::Matrix<double, 3, 4>> gradient(result.gradient.data());
   gradient = rest.volume * (f * stress) * rest.gradients;
@@ -93,8 +101,8 @@ Derivatives elastic(const LinearTet& rest, const Corners& displacements, const M
 
   // Block (a, b) of the second variation of V Psi:
   // V [ (b_a . S b_b) I + lambda (F b_a)(F b_b)^T + mu (b_a . b_b) F F^T + mu (F b_b)(F b_a)^T ]
-  const double lambda = rest.volume * share * material.lame_lambda();
-  const double mu = rest.volume * share * material.lame_mu();
+  const double lambda = rest.volume * (elastic_lambda + damped_lambda);
+  const double mu = rest.volume * (elastic_mu + damped_mu);
   const Matrix3d mu_fft = mu * f * f.transpose();
   const Eigen::Matrix4d bb = rest.gradients.transpose() * rest.gradients;
   const Eigen::Matrix4d bsb = rest.volume * rest.gradients.transpose() * stress * rest.gradients;

@@ -94,7 +94,7 @@ Result elastic(const QuadraticTet& rest, const QuadraticTet::Nodes& displacement
       damping_share(material.model, 0.25 * (previous[0] + previous[1] + previous[2] + previous[3]));
   const VolumeSplit split = volume_split(material);
   const QuadraticTet::PointGradients h = rest.at_points(displacements);
-  AveragedTerm elastic{split.bulk, {}}, viscous{damping_over_h * std::max(material.lame_lambda(), 0.0), {}};
+  AveragedTerm elastic{split.bulk, {}}, viscous{damping_over_h * std::max(viscous_lambda(material), 0.0), {}};
   std::array<Density, kPoints> densities;
   Result result;
   for (int q = 0; q < kPoints; ++q) {

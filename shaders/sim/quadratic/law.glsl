@@ -85,7 +85,7 @@ void add_point(inout StrainMeans means, uint e, int q, mat3 h) {
 
 Viscosity viscosity_of(StrainMeans means, vec4 material) {
   float over_h = damping_over_h(Sym3(means.before, vec3(0.0)), material);
-  return Viscosity(over_h, over_h * max(lame_lambda(material), 0.0), means.change);
+  return Viscosity(over_h, over_h * max(viscous_lambda(material), 0.0), means.change);
 }
 
 Viscosity viscosity_of(uint e, PointGradients h, vec4 material) {

@@ -53,7 +53,7 @@ Sym3 quadratic_block(uint v) {
     for (int q = 0; q < 4; ++q) before.d += 0.25 * previous_strain_at(strain_of_point(e, q)).d;
     float damping = damping_over_h(before, material);
     // The viscous stiffness is that of the Green strain, of pointwise lambda 0, with its own averaged part.
-    Tangent viscous = Tangent(mat3(1.0) + at.h, Sym3(vec3(0.0), vec3(0.0)), damping);
+    Tangent viscous = Tangent(mat3(1.0) + at.h, Sym3(vec3(0.0), vec3(0.0)), damping, 0.0);
     vec4 viscous_material = vec4(2.0 * lame_mu(material), 0.0, 0.0, 0.0);
 #endif
     float scale = SUBSTEP * SUBSTEP * tet.volume;
@@ -75,7 +75,7 @@ Sym3 quadratic_block(uint v) {
       Sym3 more = strain_block(viscous, viscous_material, s), other = strain_block(viscous, viscous_material, d);
       block = Sym3(block.d + 1.2 * more.d + 0.4 * other.d, block.s + 1.2 * more.s + 0.4 * other.s);
       vec3 x = viscous.f * s;
-      float bulk = damping * max(lame_lambda(material), 0.0);
+      float bulk = damping * max(viscous_lambda(material), 0.0);
       block.d += bulk * x * x;
       block.s += bulk * x.yxx * x.zzy;
 #endif

@@ -171,6 +171,17 @@ TEST_CASE("damping falls with the square of the stretch, of the squared law alon
     if (model != MaterialModel::squared) CHECK(damping_share(model, strain) == 1);
 }
 
+TEST_CASE("viscosity has the lambda of elasticity, up to that of a Poisson's ratio of 0.45", "[laws]") {
+  for (const double nu : {-0.4, 0.0, 0.3, 0.45}) {
+    const Material material = of(MaterialModel::squared, nu);
+    CHECK(viscous_lambda(material) == material.lame_lambda());
+  }
+  for (const double nu : {0.4501, 0.49, 0.499}) {
+    const Material material = of(MaterialModel::squared, nu);
+    CHECK(viscous_lambda(material) == Approx(9 * material.lame_mu()));
+  }
+}
+
 TEST_CASE("Mooney-Rivlin of ratio 0 is neo-Hookean", "[laws]") {
   Matrix3d f;
   f << 1.2, 0.3, -0.1, 0.05, 0.8, 0.2, -0.3, 0.1, 1.1;
