@@ -101,9 +101,11 @@ void PairSearch::choose_crossings() {
 
 // Beside a face, at a convex edge, the nearest point is on the edge, and the normal turns from one face to the other as
 // the vertex goes around: by the face's own it would stop a body whose edge slides over it. The moment is that at which
-// their distance, which is convex in time, first is the skin, or where it is least.
+// their distance, which is convex in time, first is half the skin, or where it is least: of a vertex that an edge passes
+// over in the step, the normal is then across the way.
 std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, const Triangle& t) const {
   constexpr int kHalves = 12;
+  constexpr double kGrazed = 0.5;  // of the skin
   const auto at = [&](double share) {
     const auto place = [&](std::uint32_t i) { return Vector3d(start_[i] + share * (end_[i] - start_[i])); };
     const std::array<Vector3d, 3> corners = {place(t[0]), place(t[1]), place(t[2])};
@@ -115,12 +117,12 @@ std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, c
     return beside;
   };
   Beside found = at(0);
-  if (found.distance > skin_) {
+  if (found.distance > kGrazed * skin_) {
     double low = 0, high = 1;
     for (int half = 0; half < kHalves; ++half) {  // towards where the distance is least, or first below the skin
       const double middle = 0.5 * (low + high), little = 1e-3 * (high - low);
       const Beside here = at(middle);
-      (here.distance <= skin_ || at(middle + little).distance >= here.distance ? high : low) = middle;
+      (here.distance <= kGrazed * skin_ || at(middle + little).distance >= here.distance ? high : low) = middle;
     }
     found = at(high);
   }
@@ -129,16 +131,21 @@ std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, c
   return found;
 }
 
-// Whether the normal is between those of the faces at the edge, or next to those around the corner, that is nearest.
-// Elsewhere the vertex is above another face.
-bool PairSearch::is_around_edge(const Beside& beside, std::uint32_t triangle) const {
+// The edge or corner, if the normal is between those of the faces there. Else the vertex is above another face: where
+// that one is folded away it is another pair's, and along the face's own normal it would be stopped from the side.
+PairSearch::Facing PairSearch::facing_of(const Beside& beside, std::uint32_t triangle) const {
+  constexpr double kFolded = 0.866, kAside = 0.5;  // cosines
   const Triangle& t = triangles_[triangle];
   const Vector3d &n = beside.normal, &own = normals_[triangle];
+  const auto is_aside = [&](const Vector3d& other) {
+    return own.dot(other) < kFolded && n.dot(own) < kAside && n.dot(other) > std::max(0.0, n.dot(own));
+  };
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(k);
     if (beside.weights[k] == 1) {
       const Vector3d around = vertex_normals_[t[at]].stableNormalized();
-      return n.dot(around) >= own.dot(around);
+      if (n.dot(around) >= own.dot(around)) return Facing::edge;
+      return is_aside(around) ? Facing::other_face : Facing::face;
     }
     if (beside.weights[k] > 0) continue;
     for (const std::uint32_t e : sides_[triangle]) {
@@ -146,10 +153,11 @@ bool PairSearch::is_around_edge(const Beside& beside, std::uint32_t triangle) co
       if (edge.from == t[at] || edge.to == t[at] || edge.sides[1] == TissueEdge::kNoSide) continue;
       const Vector3d& other = normals_[edge.sides[edge.sides[0] == triangle ? 1 : 0]];
       const Vector3d axis = own.cross(other);
-      return own.cross(n).dot(axis) > 0 && n.cross(other).dot(axis) > 0;
+      if (own.cross(n).dot(axis) > 0 && n.cross(other).dot(axis) > 0) return Facing::edge;
+      return is_aside(other) ? Facing::other_face : Facing::face;
     }
   }
-  return false;
+  return Facing::face;
 }
 
 void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t triangle) {
@@ -185,11 +193,15 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   if (least < -(pressed_[slot] ? kBesidePressed : kBeside)) return;
   normal.normalize();
   double distance = std::abs(then) + std::max(0.0, -least) * edge_;
-  if (least < 0 && then > 0)
-    if (const auto beside = approach_beside(v, t); beside && is_around_edge(*beside, triangle)) {
-      weights = beside->weights;
-      normal = beside->normal;
-      distance = beside->distance;
+  if (least < 0)
+    if (const auto beside = approach_beside(v, t)) {
+      const Facing facing = facing_of(*beside, triangle);
+      if (facing == Facing::other_face) return;
+      if (facing == Facing::edge && then > 0) {
+        weights = beside->weights;
+        normal = beside->normal;
+        distance = beside->distance;
+      }
     }
   const std::uint32_t body = body_of_[v], other = body_of_[t[0]];
   if (body == other) {

@@ -92,7 +92,8 @@ class PairSearch {
     double distance = 0;               // [m]
   };
   std::optional<Beside> approach_beside(std::uint32_t vertex, const Triangle& triangle) const;
-  bool is_around_edge(const Beside& beside, std::uint32_t triangle) const;
+  enum class Facing { face, edge, other_face };  // what a vertex beside a face is opposite to
+  Facing facing_of(const Beside& beside, std::uint32_t triangle) const;
   /// The nearest points of two lines that are not parallel.
   static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
