@@ -59,6 +59,32 @@ TEST_CASE("what is far apart has no pairs, and what will meet within the step ha
   CHECK(found(other, shifted, {-0.4, -0.2, 0}).size() > 20);
 }
 
+// The front of the upper box leans forward a little, so that the normals of its front and of the lower box's top are
+// opposed by what bending tissue has.
+TEST_CASE("a box that slides over another one is not pressed back by the vertices that its front passes", "[contact]") {
+  const double way = 0.02, lean = 0.01;
+  const double skin = PairSearch(test::beside(box(), test::moved(box(3), {0, kSize, 0}), "upper")).skin();
+  std::size_t passed = 0;
+  for (const double below : {1.0, 0.9, 0.7})  // of the skin: between the lower box and the front's edge
+    for (int k = 0; k < 60; ++k) {
+      Model upper = test::moved(box(3), {0.001 * k - 0.15, kSize + below * skin, 0.013});
+      const Vector3d edge = {0.001 * k - 0.15 + kSize, kSize + below * skin, 0};
+      for (Vector3d& x : upper.rest_positions) {
+        const Vector3d from = x - edge;
+        x = edge + Vector3d(from.x() + lean * from.y(), from.y() - lean * from.x(), from.z());
+      }
+      const Model model = test::beside(box(), upper, "upper");
+      PairSearch search(model);
+      for (const PairRow& row : found(search, model, {way, 0, 0})) {
+        const double moved = (row.bodies[0] == 1 ? way : -way) * row.normal.x(), gap = row.gap + moved;
+        CAPTURE(below, k, row.normal.transpose(), row.gap, gap, row.vertices[0]);
+        CHECK((gap > -0.1 * skin || std::abs(row.normal.x()) < 0.3));
+        passed += std::abs(row.normal.y()) > 0.9;
+      }
+    }
+  CHECK(passed > 1000);
+}
+
 TEST_CASE("crossing edges of two boxes are a pair", "[contact]") {
   // Two boxes, each turned by 45 degrees about an axis of its own, so that an edge of one lies across an edge of the
   // other
