@@ -101,11 +101,10 @@ void PairSearch::choose_crossings() {
 
 // Beside a face, at a convex edge, the nearest point is on the edge, and the normal turns from one face to the other as
 // the vertex goes around: by the face's own it would stop a body whose edge slides over it. The moment is that at which
-// their distance, which is convex in time, first is half the skin, or where it is least: of a vertex that an edge passes
-// over in the step, the normal is then across the way.
+// their distance, which is convex in time, first is half the skin, or where it is least: of a vertex that an edge
+// passes over in the step, the normal is then across the way.
 std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, const Triangle& t) const {
   constexpr int kHalves = 12;
-  constexpr double kGrazed = 0.5;  // of the skin
   const auto at = [&](double share) {
     const auto place = [&](std::uint32_t i) { return Vector3d(start_[i] + share * (end_[i] - start_[i])); };
     const std::array<Vector3d, 3> corners = {place(t[0]), place(t[1]), place(t[2])};

@@ -18,6 +18,9 @@ using Vertices = std::array<std::uint32_t, 4>;
 // Of the skin: pairs whose gap is less at the end, and that were pressed in by more, press harder in the next solution.
 constexpr double kLeastGap = 0.25;
 constexpr double kPressedIn = 0.2;
+// Cosines: of the angle by which the normal at an edge turns in a step, and of that between it and the way.
+constexpr double kTurned = 0.94;
+constexpr double kAgainst = 0.1;
 
 Vertices sorted(Vertices vertices) {
   std::sort(vertices.begin(), vertices.end());
@@ -167,6 +170,18 @@ void PairSearch::for_new_cuts(F&& found) const {
   }
 }
 
+// Whether a vertex that an edge presses against its way has gone so far around it that the normal is another one.
+bool PairSearch::turned(const PairRow& row) const {
+  const bool of_vertex = row.weights[0] == 1 && row.weights[1] <= 0 && row.weights[2] <= 0 && row.weights[3] <= 0;
+  if (!of_vertex || (row.weights[1] < 0 && row.weights[2] < 0 && row.weights[3] < 0)) return false;
+  Vector3d way(0, 0, 0);
+  for (std::size_t k = 0; k < 4; ++k) way += row.weights[k] * (end_[row.vertices[k]] - start_[row.vertices[k]]);
+  if (!(depth_of(row) > 0) || !(row.normal.dot(way) < -kAgainst * way.norm())) return false;
+  const std::array<Vector3d, 4> x = at(end_, row.vertices);
+  const Vector3d w = nearest_weights(x[0], x[1], x[2], x[3]), between = x[0] - w[0] * x[1] - w[1] * x[2] - w[2] * x[3];
+  return between.norm() > kGrazed * skin_ && between.dot(row.normal) < kTurned * between.norm();
+}
+
 bool PairSearch::misses(const std::vector<Vector3d>& end) {
   cuts_ = false;
   if (empty() || !sees_near()) return false;
@@ -177,6 +192,7 @@ bool PairSearch::misses(const std::vector<Vector3d>& end) {
     double gap = 0;
     for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(end_[row.vertices[k]]);
     if (gap < kLeastGap * skin_ && depth_of(row) > kPressedIn * skin_) changed = press_harder(row);
+    changed = changed || turned(row);
   }
   for_new_cuts([&](std::uint32_t e, std::uint32_t triangle) {
     cuts_ = true;

@@ -57,7 +57,8 @@ class PairSearch {
                             double length = std::numeric_limits<double>::infinity());
 
   /// After find(), with the result of its step: whether the step must be solved again, since an edge of the surface
-  /// goes through a triangle that it did not go through at the start, or a pair was pressed in by most of the skin.
+  /// goes through a triangle that it did not go through at the start, a pair was pressed in by most of the skin, or
+  /// the normal of a vertex at an edge stopped what slides around it.
   /// `end` [vertex_count] [m].
   bool misses(const std::vector<Eigen::Vector3d>& end);
   /// After misses(): the pairs on the way to that result, and those that keep apart what it led through each other.
@@ -83,6 +84,7 @@ class PairSearch {
   };
   static constexpr double kMargin = 0.25;  // of the mean edge: pairs this much farther than the skin may touch by what
                                            // forces do in the step
+  static constexpr double kGrazed = 0.5;   // of the skin: by what is this near, edges do not slide
   struct Crossing {
     double s = 0, t = 0;  // shares of the way along the two edges
   };
@@ -110,6 +112,7 @@ class PairSearch {
                  std::initializer_list<std::uint32_t> slots);
   bool press_harder(const PairRow& row);
   double depth_of(const PairRow& row) const;  // at end_ [m]
+  bool turned(const PairRow& row) const;
   bool all_held(const std::array<std::uint32_t, 4>& vertices) const;
   std::uint32_t guard_of_vertex(std::uint32_t vertex) const;
   std::uint32_t guard_of_edge(std::uint32_t edge) const {
