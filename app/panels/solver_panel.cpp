@@ -90,15 +90,16 @@ void error_bars(const StepError& error) {
             "Error of the last step relative to the displacement: more iterations make it smaller");
   if (error.time)
     error_bar(
-        "Time step", *error.time,
+        error.time->resolved ? "Time step" : "Time step (not resolved)", error.time->relative,
         "Estimated error that the next six steps gather, relative to the displacement: BDF2 or more substeps make "
-        "it smaller");
+        "it smaller. Not resolved: it hardly falls with up to eight times the substeps, and the value is a rough "
+        "bound");
   error_bar(
       "Mesh", error.mesh,
       "Estimated error of this shape relative to the displacement: a finer mesh or quadratic tets make it smaller");
   constexpr const char* kPeak = "The same error of the recovered von Mises stress that 1 % of the volume exceeds";
   if (error.peak_stress.solver) error_bar("Peak stress: solver", *error.peak_stress.solver, kPeak);
-  if (error.peak_stress.time) error_bar("Peak stress: time step", *error.peak_stress.time, kPeak);
+  if (error.time) error_bar("Peak stress: time step", error.time->peak_stress, kPeak);
   error_bar("Peak stress: mesh", error.peak_stress.mesh, kPeak);
 }
 

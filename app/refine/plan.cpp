@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/simulation/time_error.h"
+#include "sim/accuracy/time_extrapolation.h"
 
 namespace fascia {
 namespace {
@@ -41,7 +41,8 @@ Proposal predicted(const Trial& trial, double refinement, int substeps, int iter
   Proposal result{trial.elements, trial.integrator, refinement, 0, substeps, iterations};
   result.tets = static_cast<double>(trial.tets) * std::pow(refinement, 3);
   result.mesh = trial.mesh / (refinement * refinement);
-  result.time = trial.time * std::pow(static_cast<double>(trial.substeps) / substeps, order_of(trial.integrator));
+  result.time = trial.time * std::pow(static_cast<double>(trial.substeps) / substeps,
+                                      std::max(trial.order, TimeExtrapolation::kLeastOrder));
   const double few = std::max(trial.solver_few, kRounding), many = std::max(trial.solver_many, kRounding);
   const double rate = std::clamp(std::pow(many / few, 1.0 / (trial.many - trial.few)), kBestRate, 1.0);
   result.solver = std::max(kRounding, iterations > trial.many ? many * std::pow(rate, iterations - trial.many)

@@ -16,6 +16,8 @@ struct Trial {
   std::size_t tets = 0;
   int substeps = 1;
   double mesh = 0, time = 0;               // estimated
+  double order = 1;                        // at which the error in time falls with the substeps
+  bool resolved = true;                    // TimeError::resolved
   int few = 5, many = 10;                  // iterations
   double solver_few = 0, solver_many = 0;  // of the whole run with these
   double ms_few = 0, ms_many = 0;          // of a step with these, medians
@@ -37,7 +39,7 @@ struct Proposal {
 
 /// What the trial becomes with finer edges, more substeps and other iterations:
 ///   mesh error * refinement^-2     the order of both elements in general; that of quadratic ones is up to 4
-///   time error * substeps^-order
+///   time error * substeps^-order   the order found, or kLeastOrder where it is less: such errors fall in shorter steps
 ///   solver error: geometric between the two measured numbers of iterations, and beyond them
 ///   time: tets and substeps times that of a tet in a substep, linear in the iterations through both measured times
 Proposal predicted(const Trial& trial, double refinement, int substeps, int iterations);

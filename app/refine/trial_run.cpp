@@ -69,7 +69,10 @@ Trial trial_of(const Scene& scene, const Model& model, gl::ProgramCache& program
   const Run run(with(trial.many), model, programs, steps);
   trial.solver_many = relative_distance(run.simulation.state().displacement, solved);
   trial.ms_many = percentiles(run.ms).median;
-  trial.time = estimate_time_error(run.simulation, &programs).relative;
+  const TimeError in_time = estimate_time_error(run.simulation, &programs);
+  trial.time = in_time.relative;
+  trial.order = in_time.order;
+  trial.resolved = in_time.resolved;
   trial.mesh = estimate_mesh_error(model, run.strained).displacement;
   return trial;
 }
@@ -86,10 +89,10 @@ Trial run_trial(const Scene& scene, gl::ProgramCache& programs, long steps, cons
   if (interrupted()) return trial;
   const std::string substeps = trial.substeps == 1 ? "" : ", " + std::to_string(trial.substeps) + " substeps";
   say(std::to_string(trial.tets) + ' ' + name_of(trial.elements) + " tets, " + name_of(trial.integrator) + substeps +
-      ": mesh " + number(100 * trial.mesh) + " %, time " + number(100 * trial.time) + " %, solver " +
-      number(100 * trial.solver_few) + " % with " + std::to_string(trial.few) + " iterations and " +
-      number(100 * trial.solver_many) + " % with " + std::to_string(trial.many) + "; " + number(trial.ms_few) +
-      " and " + number(trial.ms_many) + " ms a step");
+      ": mesh " + number(100 * trial.mesh) + " %, time " + number(100 * trial.time) +
+      (trial.resolved ? " %" : " % (not resolved)") + ", solver " + number(100 * trial.solver_few) + " % with " +
+      std::to_string(trial.few) + " iterations and " + number(100 * trial.solver_many) + " % with " +
+      std::to_string(trial.many) + "; " + number(trial.ms_few) + " and " + number(trial.ms_many) + " ms a step");
   return trial;
 }
 

@@ -42,9 +42,9 @@ struct PeakStress {
 };
 PeakStress peak_of(const NodalStress& stress, const Model& model);
 
-/// What the stress p99 is off by, told apart by cause, relative to it.
+/// What the stress p99 is off by, relative to it; TimeError has what the length of steps leaves.
 struct PeakErrors {
-  std::optional<double> solver, time;
+  std::optional<double> solver;
   double mesh = 0;  // MeshError::peak_stress
 };
 /// |p99 - p99 of `exact`| over the latter; 0 where there is none.

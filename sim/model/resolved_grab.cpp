@@ -22,6 +22,9 @@ double ResolvedGrab::end() const { return std::isfinite(release) ? release : std
 
 namespace {
 
+// [s] Times are sums of substeps: roundings must not decide in which step a hand takes or releases.
+constexpr double kSameTime = 1e-9;
+
 void add(const ResolvedGrab& grab, const Vector3d& displacement, std::vector<GrabSpring>& springs) {
   for (GrabSpring spring : grab.grip) {
     spring.target = displacement;
@@ -33,7 +36,7 @@ void add(const ResolvedGrab& grab, const Vector3d& displacement, std::vector<Gra
 
 std::vector<GrabSpring> with_grabs(std::vector<GrabSpring> springs, std::span<const ResolvedGrab> grabs, double t) {
   for (const ResolvedGrab& grab : grabs)
-    if (t > grab.start && t <= grab.release) add(grab, grab.displacement(t), springs);
+    if (t > grab.start + kSameTime && t <= grab.release + kSameTime) add(grab, grab.displacement(t), springs);
   return springs;
 }
 

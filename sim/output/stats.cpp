@@ -73,11 +73,16 @@ Json supports_of(const Model& model, const State& last) {
 Json to_json(const Errors& errors) {
   Json json = Json::object();
   if (errors.solver) json["solver"] = *errors.solver;
-  if (errors.time) json["time"] = *errors.time;
+  if (errors.time) {
+    json["time"] = errors.time->relative;
+    json["time_over_run"] = errors.time->over_run;
+    json["time_order"] = errors.time->order;
+    json["time_resolved"] = errors.time->resolved;
+  }
   json["mesh"] = errors.mesh;
   Json& peak = json["peak_stress"] = Json::object();
   if (errors.peak_stress.solver) peak["solver"] = *errors.peak_stress.solver;
-  if (errors.peak_stress.time) peak["time"] = *errors.peak_stress.time;
+  if (errors.time) peak["time"] = errors.time->peak_stress;
   peak["mesh"] = errors.peak_stress.mesh;
   peak["recovered_Pa"] = errors.peak_recovered;
   peak["tets_Pa"] = errors.peak_of_tets;

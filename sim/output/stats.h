@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/accuracy/nodal_stress.h"
+#include "sim/accuracy/time_extrapolation.h"
 #include "sim/output/run_provenance.h"
 #include "sim/simulation/simulation.h"
 
@@ -16,8 +17,8 @@ namespace fascia {
 /// What the last state is off by, told apart by cause: relative errors, of the displacements and of the peak stress.
 struct Errors {
   std::optional<double> solver;  // of the last step, RMS over RMS displacement
-  std::optional<double> time;    // TimeError
-  double mesh = 0;               // MeshError
+  std::optional<TimeError> time;
+  double mesh = 0;  // MeshError
   PeakErrors peak_stress;
   double peak_recovered = 0, peak_of_tets = 0;  // [Pa] von Mises stress that 1 % of the volume exceeds
 };

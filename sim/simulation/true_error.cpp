@@ -55,30 +55,33 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   const State solved{step.solution, {}, 0};
   const MeshError mesh = estimate_mesh_error(problem.model, solved);
   error.mesh = mesh.displacement;
-  error.peak_stress = {peak_distance(problem.model, solved, state, stop), {}, mesh.peak_stress};
+  error.peak_stress = {peak_distance(problem.model, solved, state, stop), mesh.peak_stress};
   if (!problem.last) return error;
-  const TimeError time = error_in_time(problem, stop);
-  error.time = time.relative;
-  error.peak_stress.time = time.peak_stress;
+  error.time = error_in_time(problem, stop);
   return error;
 }
 
 TimeError TrueError::error_in_time(const Problem& problem, const std::stop_token& stop) {
-  State coarse = *problem.last, fine = coarse;
-  SolverSettings halved = problem.settings;
-  halved.substeps *= 2;
+  TimeExtrapolation extrapolation(order_of(problem.settings.integrator));
   LedTools led;  // which stay where they are
   led.restart(problem.last->led);
-  for (const auto& [settings, state] : {std::pair(problem.settings, &coarse), std::pair(halved, &fine)}) {
+  for (int parts = 1; extrapolation.wants_more(); parts *= 2) {
+    SolverSettings settings = problem.settings;
+    settings.substeps *= parts;
     reference::NewtonSolver solver(problem.model, settings, stop);
     solver.set_springs(problem.springs);
-    for (int k = 0; k < kFollowedSteps && !stop.stop_requested(); ++k) {
-      if (!led.empty())
-        solver.set_tools(led.motion(problem.model.tools, state->time, state->time + settings.time_step));
-      solver.step(*state);
+    State state = *problem.last;
+    Trajectory motion;
+    for (int k = 0; k < kFollowedSteps; ++k) {
+      if (stop.stop_requested()) return {.complete = false};
+      if (!led.empty()) solver.set_tools(led.motion(problem.model.tools, state.time, state.time + settings.time_step));
+      solver.step(state);
+      motion.displacement.push_back(state.displacement);
     }
+    motion.peak_stress = peak_of(nodal_stress(problem.model, state, stop), problem.model).p99;
+    extrapolation.add(std::move(motion));
   }
-  return distance_in_time(problem.model, problem.settings.integrator, coarse, fine);
+  return extrapolation.error();
 }
 
 void TrueError::begin(Simulation& simulation, bool with_time) {

@@ -15,15 +15,15 @@ namespace fascia {
 
 /// Compares both shapes at the end of a stage, the last one of a substep.
 struct StepError {
-  double relative = 0;          // RMS |u - u_exact| over RMS |u_exact - u~|: 1: as far away as the prediction
-  double of_displacement = 0;   // RMS |u - u_exact| over RMS |u_exact|
-  double mesh = 0;              // MeshError::displacement of the solver's shape
-  std::optional<double> time;   // what the next kFollowedSteps gather, relative to the displacement; if requested
-  PeakErrors peak_stress;       // the same of the recovered stress that 1 % of the volume exceeds
-  double largest = 0;           // [m]
-  long step = 0;                // GpuSolver::steps_solved() at the end of the substep
-  bool converged = true;        // the reference solver; if false, the error is unreliable
-  std::vector<float> distance;  // [vertex_count] |u - u_exact| [m]
+  double relative = 0;            // RMS |u - u_exact| over RMS |u_exact - u~|: 1: as far away as the prediction
+  double of_displacement = 0;     // RMS |u - u_exact| over RMS |u_exact|
+  double mesh = 0;                // MeshError::displacement of the solver's shape
+  std::optional<TimeError> time;  // what the next kFollowedSteps gather; if requested
+  PeakErrors peak_stress;         // the same of the recovered stress that 1 % of the volume exceeds
+  double largest = 0;             // [m]
+  long step = 0;                  // GpuSolver::steps_solved() at the end of the substep
+  bool converged = true;          // the reference solver; if false, the error is unreliable
+  std::vector<float> distance;    // [vertex_count] |u - u_exact| [m]
 };
 
 class TrueError {
@@ -36,7 +36,8 @@ class TrueError {
   ~TrueError();  // stops the thread and waits for it
 
   /// Requests one measurement, of the next step, with the error in time: the reference solver continues from that step
-  /// with the grabs as they are, kFollowedSteps steps of the length in use and twice as many of half of it.
+  /// with the grabs as they are, kFollowedSteps steps of the length in use and as many as estimate_time_error() takes
+  /// of shorter ones.
   void request() { requested_ = true; }
   static constexpr int kFollowedSteps = 6;
   bool requested() const { return requested_; }  // and not yet begun

@@ -1,0 +1,57 @@
+// The error of a motion in time, from the same motion with steps of 1, 1/2, 1/4, ... of its length. The ratio of the
+// last two differences, over all moments and vertices, has the order at which errors fall, which contact, hands and
+// fast vibrations keep below that of the integrator; from it follows the motion with infinitely short steps:
+//
+//   r = |u_n - u_n-1| / |u_n-1 - u_n-2|            2^-p at least, with the integrator's order p
+//   u* = u_n + r / (1 - r) (u_n - u_n-1)           (Richardson 1911; Aitken 1926)
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace fascia {
+
+/// A motion as displacements at the same moments whatever its steps, the last one its end: [moment][vertex] [m].
+struct Trajectory {
+  std::vector<std::vector<Eigen::Vector3d>> displacement;
+  double peak_stress = 0;  // PeakStress::p99 at the end [Pa]
+};
+
+/// Relative errors.
+struct TimeError {
+  double relative = 0;     // at the end: RMS error over RMS displacement, both over all vertices
+  double over_run = 0;     // RMS error over RMS displacement, both over all moments and vertices
+  double peak_stress = 0;  // of PeakStress::p99, at the end
+  double order = 0;        // at which errors fall with the length of steps: 0 to that of the integrator
+  bool resolved = true;    // false: errors hardly fall with the length of steps yet, and values are rough bounds
+  bool complete = true;    // false: the repetition was stopped
+};
+
+class TimeExtrapolation {
+ public:
+  /// Steps are halved until errors fall at this order, or kMostHalvings times. Impacts have orders of a half to one.
+  static constexpr double kLeastOrder = 0.5;
+  static constexpr int kFewestHalvings = 2, kMostHalvings = 3;
+
+  explicit TimeExtrapolation(int order_of_integrator) : order_(order_of_integrator) {}
+
+  /// From the longest steps on, each half as long as before.
+  void add(Trajectory motion);
+  /// Whether another motion, with shorter steps, is wanted.
+  bool wants_more() const;
+  /// From three motions or more. Where errors do not fall it is a bound, if they fall at kLeastOrder in shorter steps:
+  /// the distance to the finest motion, or the change before the last where that is more, and what is left of that
+  /// motion.
+  TimeError error() const;
+
+ private:
+  double ratio() const;
+  bool falls() const;
+
+  int order_;
+  std::vector<Trajectory> motions_;
+  std::vector<double> changes_;  // between neighbors: RMS over all moments and vertices [m]
+};
+
+}  // namespace fascia
