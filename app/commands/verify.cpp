@@ -30,6 +30,7 @@ constexpr Test kTests[] = {{"patches", verify_patches},
                            {"orders_space", verify_orders_in_space},
                            {"orders_time", verify_orders_in_time},
                            {"estimates", verify_estimates},
+                           {"estimates_time", verify_estimates_in_time},
                            {"stresses", verify_stresses},
                            {"gpu", verify_gpu}};
 

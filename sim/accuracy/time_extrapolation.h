@@ -42,7 +42,7 @@ class TimeExtrapolation {
   bool wants_more() const;
   /// From three motions or more. Where errors do not fall it is a bound, if they fall at kLeastOrder in shorter steps:
   /// the distance to the finest motion, or the change before the last where that is more, and what is left of that
-  /// motion.
+  /// motion; at the end no less than over the run.
   TimeError error() const;
 
  private:

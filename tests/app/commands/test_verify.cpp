@@ -9,14 +9,15 @@ using namespace fascia::test;
 
 TEST_CASE("verify passes its quick tests and writes a report with the source of every truth", "[verify]") {
   const TemporaryFolder folder;
-  const CommandResult result = run_fascia({"verify", "--only", "patches,frequencies,orders_time,twist", "--out",
-                                           folder.path().string(), "--context", "osmesa"});
+  const CommandResult result = run_fascia({"verify", "--only", "patches,frequencies,orders_time,estimates_time,twist",
+                                           "--out", folder.path().string(), "--context", "osmesa"});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   const std::string table = read_file(folder / "verify.csv"), report = read_file(folder / "report.html");
   CHECK(table.find("test,case,value,unit,low,high,result,truth") != std::string::npos);
   CHECK(table.find("failed") == std::string::npos);
-  for (const char* test : {"Patch test", "Natural frequencies", "Orders of convergence in time", "Twisting column"}) {
+  for (const char* test : {"Patch test", "Natural frequencies", "Orders of convergence in time",
+                           "Estimated error in time", "Twisting column"}) {
     CAPTURE(test);
     CHECK(table.find(test) != std::string::npos);
     CHECK(report.find(std::string("<h2>") + test) != std::string::npos);

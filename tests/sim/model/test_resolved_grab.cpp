@@ -73,6 +73,25 @@ TEST_CASE("springs hold after the start and up to the release, after the springs
   CHECK(last[4].target == Vector3d(0, 0, 7));
 }
 
+TEST_CASE("roundings of times that are sums of substeps do not move a grab by a step") {
+  const int substeps = GENERATE(1, 2, 3, 4, 8, 16);
+  CAPTURE(substeps);
+  constexpr double kStep = 1.0 / 60;
+  ResolvedGrab grab;
+  grab.grip = {{0, {0, 0, 0}, 1}};
+  grab.path = {{0.1, {0, 0, 0}}};
+  grab.start = 0.1;
+  grab.release = 0.6;
+  const std::vector<ResolvedGrab> grabs{grab};
+  double time = 0;
+  int held = 0;
+  for (int step = 0; step < 60; ++step) {
+    held += !with_grabs({}, grabs, time + kStep).empty();
+    for (int k = 0; k < substeps; ++k) time += kStep / substeps;
+  }
+  CHECK(held == 30);
+}
+
 TEST_CASE("a grab ends with its release, or where its path does, not before it starts") {
   ResolvedGrab grab = grab_of({{1, {0, 0, 0}}, {2, {2, 0, 0}}});
   CHECK(grab.end() == 2);
