@@ -81,7 +81,7 @@ set(arrows
   "app/stress: base sim/bare_mesh sim/contact sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
   "app/system: base"
   "app/ui: sim/output"
-  "app/verify: base sim/accuracy sim/elements sim/mesh sim/model sim/reference sim/scene sim/simulation app/bench app/check"
+  "app/verify: base sim/accuracy sim/elements sim/grab sim/mesh sim/model sim/reference sim/scene sim/simulation app/bench app/check"
   "app/video: base sim/output sim/replay sim/scene render/target app/cli app/system"
   "app/window: base gl gl/timing sim/fit sim/grab sim/output sim/scene sim/simulation sim/visual render app/cli app/compare app/dialogs app/fit app/overlay app/panels app/session app/state app/system app/ui app/video app/window/brush app/window/parts"
   "app/window/brush: sim/mesh sim/visual app/session app/state"

@@ -15,7 +15,7 @@ struct Trial {
   Integrator integrator = Integrator::implicit_euler;
   std::size_t tets = 0;
   int substeps = 1;
-  double mesh = 0, time = 0;               // estimated
+  double mesh = 0, time = 0;               // estimated; time: over the run
   double order = 1;                        // at which the error in time falls with the substeps
   bool resolved = true;                    // TimeError::resolved
   int few = 5, many = 10;                  // iterations
