@@ -5,10 +5,8 @@
 //   r = |u_n - u_n-1| / |u_n-1 - u_n-2|            2^-p at least, with the integrator's order p
 //   u* = u_n + r / (1 - r) (u_n - u_n-1)           (Richardson 1911; Aitken 1926)
 #pragma once
-#include <cstddef>
-#include <vector>
-
 #include <Eigen/Core>
+#include <vector>
 
 namespace fascia {
 

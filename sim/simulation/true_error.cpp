@@ -57,7 +57,7 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   error.mesh = mesh.displacement;
   error.peak_stress = {peak_distance(problem.model, solved, state, stop), mesh.peak_stress};
   if (!problem.last) return error;
-  error.time = error_in_time(problem, stop);
+  if (const TimeError time = error_in_time(problem, stop); time.complete) error.time = time;
   return error;
 }
 

@@ -44,6 +44,9 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CAPTURE(euler.dump(), bdf2.dump(), still.dump(), exact.dump());
   CHECK(euler.at("solver").get<double>() < 1e-3);
   CHECK(euler.at("time").get<double>() > 5 * bdf2.at("time").get<double>());
+  CHECK(euler.at("time_over_run").get<double>() > 0.5 * euler.at("time").get<double>());
+  CHECK(euler.at("time_order").get<double>() > 0.5);
+  CHECK(euler.at("time_resolved").get<bool>());
   CHECK(euler.at("mesh").get<double>() > 0.02);  // 4,963 linear tets of a beam that bends
   CHECK(euler.at("mesh").get<double>() < 0.5);
   CHECK(euler.at("peak_stress").at("mesh").get<double>() > 0);
@@ -55,6 +58,7 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CHECK(recovered == Approx(tets).epsilon(0.2));
   CHECK_FALSE(still.contains("solver"));
   CHECK_FALSE(still.contains("time"));
+  CHECK_FALSE(still.contains("time_resolved"));
   CHECK_FALSE(still.at("peak_stress").contains("solver"));
   CHECK_FALSE(still.at("peak_stress").contains("time"));
   CHECK(still.contains("mesh"));
