@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
@@ -93,6 +94,18 @@ std::string better_reason(const CLI::App& program, const CLI::App& command, cons
   return left_over(command, words, is_extra);
 }
 
+/// "Could not convert: --steps = 1.5", as fascia says it.
+std::string conversion_reason(const std::string& text) {
+  constexpr std::string_view kBegin = "Could not convert: ", kBetween = " = ";
+  const std::size_t at = text.find(kBetween);
+  if (!text.starts_with(kBegin) || at == std::string::npos) return text;
+  const std::string value = text.substr(at + kBetween.size());
+  char* end = nullptr;
+  std::strtod(value.c_str(), &end);
+  return text.substr(kBegin.size(), at - kBegin.size()) + ": is " + on_one_line(value) + "; expected a " +
+         (!value.empty() && *end == 0 ? "whole number" : "number");
+}
+
 }  // namespace
 
 bool may_be_command(const std::string& word) {
@@ -132,7 +145,7 @@ void refuse_dashes(CLI::App& command) {
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App& command = named_command(program);
   std::string text = better_reason(program, command, error);
-  if (text.empty()) text = error.what();
+  if (text.empty()) text = conversion_reason(error.what());
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::string path;
   for (const CLI::App* named = &command; named->get_parent(); named = named->get_parent())

@@ -126,7 +126,7 @@ int inspect(const InfoOptions& options) {
     const MeshRepair repaired = repair(file.mesh);
     MeshReport report = examine(file.mesh, repaired);
     if (body.elements == ElementOrder::quadratic)
-      report.unused_vertices -= keep_mid_edges(file, repaired.source).size();
+      report.unused_vertices -= keep_mid_edges(file, repaired.source, found.place.string()).size();
     if (scene.unsettled || body.unit != LengthUnit::m) report.unit_guess.clear();  // the unit is known, or in the plan
     print_report(std::cout, file, repaired, report, unit);
   }

@@ -25,6 +25,7 @@
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/time_error.h"
 #include "sim/simulation/true_error.h"
+#include "sim/simulation/worst_step.h"
 
 namespace fascia {
 namespace {
@@ -91,7 +92,7 @@ class HistoryFile {
 
 // An equilibrium has no error in time, and neither it nor a step of the reference solver one of the solver.
 void measure_errors(const RunOptions& options, Simulation& simulation, const State& last, const PeakStress& peak,
-                    RunStats& stats) {
+                    WorstStep& worst, RunStats& stats) {
   const auto say = [&](const std::string& line) {
     if (!options.quiet) std::cerr << "fascia: " << line << '\n';
   };
@@ -101,10 +102,17 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     TrueError measured;
     const StepError& error = measured.measure(simulation);
     stats.error = error.relative;
-    errors.solver = error.of_displacement;
+    worst.add(error, simulation.time());
+    errors.solver = worst.of_displacement();
+    errors.solver_time = worst.time();
+    errors.solver_steps = worst.compared();
     errors.peak_stress.solver = error.peak_stress.solver;
     say("true error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
         (error.converged ? "" : " (the reference solver did not converge)"));
+    say("largest error of the solver in " + plural(static_cast<std::size_t>(worst.compared()), "step") +
+        " compared: " + percent(*errors.solver) + " of the displacement, at " + number(worst.time()) + " s" +
+        (simulation.model.tets.size() > WorstStep::kMostTets ? " (of so many tets only the last step is compared)"
+                                                             : ""));
   }
   if (!options.static_equilibrium) {
     const TimeError error = estimate_time_error(simulation, simulation.programs());
@@ -193,9 +201,11 @@ int run_input(const RunOptions& options) {
   std::optional<HistoryFile> history;
   if (!options.history.empty()) history.emplace(options, stats.renderer, simulation);
 
+  const long steps = options.static_equilibrium ? 0 : steps_to_run(options, simulation);
+  WorstStep worst(simulation.model.tets.size(), steps);
   const Clock::time_point start = Clock::now();
   if (options.static_equilibrium) {
-    const StaticReport report = simulation.solve_static(static_news(options.quiet));
+    const StaticReport report = simulation.solve_static(static_news(options.quiet), interrupt_token());
     if (interrupted()) return exit_interrupted;
     require_equilibrium(simulation, report);
     stats.solve_ms.push_back(milliseconds_since(start));
@@ -204,7 +214,6 @@ int run_input(const RunOptions& options) {
     stats.steps = 1;
     if (!options.quiet) std::cerr << "fascia: " << describe(report) << '\n';
   } else {
-    const long steps = steps_to_run(options, simulation);
     const Progress progress = options.quiet ? Progress() : stepping_progress(simulation.scene.file);
     if (series) export_frame();
     if (history) history->add();
@@ -218,6 +227,7 @@ int run_input(const RunOptions& options) {
       }
       stats.solve_ms.push_back(milliseconds_since(step_start));
       ++stats.steps;
+      if (options.error && stats.steps < steps) worst.look(simulation);
       if (history) history->add(stats.solve_ms.back());
       if (series && stats.steps % options.every == 0) export_frame();
       stats.step_ms.push_back(milliseconds_since(step_start));
@@ -254,7 +264,7 @@ int run_input(const RunOptions& options) {
   }
   if ((options.error || options.recovered_stress) && !interrupted()) {
     const PeakStress peak = peak_of(nodal_stress(simulation.model, last), simulation.model);
-    if (options.error) measure_errors(options, simulation, last, peak, stats);
+    if (options.error) measure_errors(options, simulation, last, peak, worst, stats);
     if (options.recovered_stress) {
       stats.recovered = peak;
       if (!options.quiet)

@@ -120,7 +120,7 @@ void Headless::run(const std::function<void()>& after_step) {
   Simulation& simulation = session_.simulation;
   if (options_.static_equilibrium) {
     const auto settle = [&](Simulation& side) {
-      const StaticReport report = side.solve_static(static_news(options_.quiet));
+      const StaticReport report = side.solve_static(static_news(options_.quiet), interrupt_token());
       if (interrupted()) return;
       require_equilibrium(side, report);
       if (!options_.quiet) std::cerr << "fascia: " << describe(report) << '\n';

@@ -361,6 +361,7 @@ void Window::add_instrument(InstrumentPreset preset) {
     bodies.extend(simulation.model.rest_positions[v] + displacement[v]);
   std::vector<std::string> taken;
   for (const Tool& tool : simulation.model.tools) taken.push_back(tool.name);
+  for (const BodyPart& body : simulation.model.bodies) taken.push_back(body.name);
   std::vector<Instrument> instruments = simulation.scene.tools.instruments;
   instruments.push_back(preset_instrument(preset, bodies, taken));
   tuning_.set_instruments(instruments);

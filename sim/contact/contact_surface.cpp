@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "sim/contact/contact_block.h"
+#include "sim/contact/penetration.h"
 #include "sim/contact/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
@@ -126,6 +128,41 @@ void check_thickness(const Model& model, const std::string& where, std::vector<s
   }
 }
 
+std::string note_on(const Model& model, const Overlap& overlap) {
+  const std::size_t count = overlap.vertices > 0 ? overlap.vertices : overlap.tets;
+  return model.bodies[overlap.body].name + ": " + plural(count, overlap.vertices > 0 ? "vertex" : "tet") +
+         (count == 1 ? " begins" : " begin") + " inside " + model.bodies[overlap.other].name + ", up to " +
+         length(overlap.deepest) + " deep: contact pushes the bodies apart, or holds them in each other";
+}
+
+/// Bodies that begin inside a piece, deeper than a hundredth of their size: less may be the load that is meant.
+void note_begun_inside(const Model& model, const ContactSurface& surface, const ContactPiece& piece,
+                       std::vector<std::string>& notes) {
+  constexpr double kShallow = 0.01;
+  const Tool& tool = model.tools[piece.tool];
+  const RigidPose pose = tool.pose_of_piece(piece.piece, tool.place(0));
+  for (const BodyPart& body : model.bodies) {
+    Eigen::AlignedBox3d box;
+    std::size_t count = 0, inside = 0;
+    double deepest = 0;
+    for (std::uint32_t p = 0; p < piece.points; ++p) {
+      const ContactPoint& point = surface.points[p];
+      const std::uint32_t v = point.vertices[0];
+      if (point.weights[0] != 1 || v < body.vertex_begin || v >= body.vertex_begin + body.vertex_count) continue;
+      const Vector3d& x = model.rest_positions[v];
+      const double depth = -distance_to(tool.shape, pose.to_local(x)).distance;
+      box.extend(x);
+      ++count;
+      inside += depth > 0;
+      deepest = std::max(deepest, depth);
+    }
+    if (count == 0 || deepest <= kShallow * box.sizes().maxCoeff()) continue;
+    notes.push_back(body.name + ": " + std::to_string(inside) + " of " + plural(count, "vertex") +
+                    " of its surface begin inside " + tool.name + ", up to " + length(deepest) +
+                    " deep: contact pushes them out within a step");
+  }
+}
+
 bool is_in(const Tet& tet, const std::vector<Vector3d>& x, const Vector3d& point) {
   const double whole = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -162,6 +199,9 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
                     ": ground, obstacles, instruments, jaws as two");
   std::vector<std::string> notes = surface.notes;
   check_thickness(model, where, notes);
+  if (model.contact.bodies)
+    for (const Overlap& overlap : overlaps_at_rest(model)) notes.push_back(note_on(model, overlap));
+  for (const ContactPiece& piece : surface.pieces) note_begun_inside(model, surface, piece, notes);
   for (const ContactPiece& piece : surface.pieces)
     if (piece.piece == 0 && begins_inside(model, surface, piece))
       notes.push_back(model.tools[piece.tool].name +

@@ -52,8 +52,8 @@ inline constexpr double kContactPenalty = 10;
 ContactSurface make_contact_surface(const Model& model);
 
 /// What is likely a mistake in a scene's contact, one line each: tools that are too thin for the surface or begin
-/// wholly inside tissue, and a skin that is thicker than what it covers. Throws Error, which names `where`, for a skin
-/// thicker than a whole body, and for more than kMostPieces pieces.
+/// wholly inside tissue, bodies that begin in each other or in tools, and a skin that is thicker than what it covers.
+/// Throws Error, which names `where`, for a skin thicker than a whole body, and for more than kMostPieces pieces.
 std::vector<std::string> check_contact(const Model& model, const std::string& where);
 
 /// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the

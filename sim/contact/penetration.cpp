@@ -17,6 +17,28 @@ constexpr double kRounding = 1e-6;  // of barycentric coordinates
 
 double volume6(const Vector3d& a, const Vector3d& b, const Vector3d& c) { return a.cross(b).dot(c); }
 
+constexpr double kTouching = 1e-3;  // of a body's size: what lies on the other's surface but for rounding
+
+std::vector<Vector3d> middles_of_tets(const Model& model, const BodyPart& body) {
+  std::vector<Vector3d> middles;
+  const auto& x = model.rest_positions;
+  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t) {
+    const Tet& tet = model.tets[t];
+    middles.emplace_back((x[tet[0]] + x[tet[1]] + x[tet[2]] + x[tet[3]]) / 4);
+  }
+  return middles;
+}
+
+std::vector<Vector3d> vertices_of_tets(const Model& model, const BodyPart& body) {
+  std::vector<char> used(body.vertex_count, 0);
+  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
+    for (const std::uint32_t v : model.element(t)) used[v - body.vertex_begin] = 1;
+  std::vector<Vector3d> vertices;
+  for (std::uint32_t v = 0; v < body.vertex_count; ++v)
+    if (used[v]) vertices.push_back(model.rest_positions[body.vertex_begin + v]);
+  return vertices;
+}
+
 // The cubic volume of the three edges from vertex 0 as they move.
 class Volume {
  public:
@@ -103,6 +125,38 @@ std::size_t penetrating_triangles(const Model& model, const std::vector<Vector3d
   std::vector<Vector3d> positions = model.rest_positions;
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] += displacement[v];
   return self_intersections(TriangleTree(std::move(positions), tissue_boundary(model))).pairs.count;
+}
+
+std::vector<Overlap> overlaps_at_rest(const Model& model) {
+  const auto count = static_cast<std::uint32_t>(model.bodies.size());
+  std::vector<std::vector<Triangle>> boundaries(count);
+  const std::vector<std::uint32_t> bodies = bodies_of_vertices(model);
+  for (const Triangle& triangle : tissue_boundary(model)) boundaries[bodies[triangle[0]]].push_back(triangle);
+  std::vector<TriangleTree> surfaces;
+  for (std::vector<Triangle>& boundary : boundaries) surfaces.emplace_back(model.rest_positions, std::move(boundary));
+
+  std::vector<Overlap> overlaps;
+  for (std::uint32_t a = 0; a < count; ++a)
+    for (std::uint32_t b = 0; b < count; ++b) {
+      if (a == b || !surfaces[a].box().intersects(surfaces[b].box())) continue;
+      Overlap overlap{a, b};
+      const double touching = kTouching * surfaces[a].box().sizes().maxCoeff();
+      const auto count_inside = [&](const std::vector<Vector3d>& points) {
+        std::size_t inside = 0;
+        for (const Vector3d& x : points) {
+          if (!surfaces[b].box().contains(x) || !surfaces[b].is_inside(x)) continue;
+          const double depth = surfaces[b].nearest(x).distance;
+          if (depth <= touching) continue;
+          ++inside;
+          overlap.deepest = std::max(overlap.deepest, depth);
+        }
+        return inside;
+      };
+      overlap.vertices = count_inside(vertices_of_tets(model, model.bodies[a]));
+      overlap.tets = count_inside(middles_of_tets(model, model.bodies[a]));
+      if (overlap.vertices + overlap.tets > 0) overlaps.push_back(overlap);
+    }
+  return overlaps;
 }
 
 std::optional<Passage> vertex_through_triangle(const Corners& from, const Corners& to) {

@@ -1,6 +1,6 @@
-// What must not be: triangles of the tissue's surface that cut each other; and when a vertex goes through a triangle,
-// or an edge through an edge, while all of them move on straight: the root of a cubic at which the four vertices lie in
-// a plane (Provot 1997).
+// What must not be: triangles of the tissue's surface that cut each other, and bodies that begin in each other; and
+// when a vertex goes through a triangle, or an edge through an edge, while all of them move on straight: the root of a
+// cubic at which the four vertices lie in a plane (Provot 1997).
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -18,6 +18,15 @@ bool goes_through(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eige
 /// The number of pairs of surface triangles without a common vertex of which an edge of one goes through the other, at
 /// displacements [vertex_count] [m].
 std::size_t penetrating_triangles(const Model& model, const std::vector<Eigen::Vector3d>& displacement);
+
+/// A body in another one at rest, deeper than a thousandth of its size.
+struct Overlap {
+  std::uint32_t body, other;           // in Model::bodies
+  std::size_t vertices = 0, tets = 0;  // of `body` that lie in `other`; of tets their middles
+  double deepest = 0;                  // [m] of them below the surface of `other`
+};
+/// Of every two bodies, both ways, in the order of the bodies.
+std::vector<Overlap> overlaps_at_rest(const Model& model);
 
 struct Passage {
   double share = 0;                 // of the motion [0, 1], the first one

@@ -1,5 +1,7 @@
 #include "sim/grab/build_model.h"
 
+#include <algorithm>
+
 #include "sim/contact/contact_surface.h"
 #include "sim/grab/resolve_grab.h"
 #include "sim/model/unconstrained_parts.h"
@@ -7,10 +9,22 @@
 namespace fascia {
 namespace {
 
+// Of a body that cannot move, which may be meant for one that others touch.
+std::string note_of_held(const Model& model, const BodyPart& body) {
+  const auto first = std::lower_bound(model.fixed.begin(), model.fixed.end(), body.vertex_begin),
+             end = std::lower_bound(first, model.fixed.end(), body.vertex_begin + body.vertex_count);
+  for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t)
+    for (const std::uint32_t v : model.element(t))
+      if (!std::binary_search(first, end, v)) return "";
+  return body.name + ": every vertex is fixed: it does not move";
+}
+
 Model with_grabs(const Scene& scene, Model model) {
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.grabs.push_back(resolve_grab(scene, g, model));
   if (model.has_contact())
     for (std::string& note : check_contact(model, scene.file.string())) model.notes.push_back(std::move(note));
+  for (const BodyPart& body : model.bodies)
+    if (std::string note = note_of_held(model, body); !note.empty()) model.notes.push_back(std::move(note));
   if (std::string note = model.tools.empty() ? note_of_unconstrained_parts(model) : ""; !note.empty())
     model.notes.push_back(std::move(note));
   return model;

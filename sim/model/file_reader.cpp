@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "base/file.h"
 #include "sim/scene/scene_paths.h"
 
@@ -18,11 +17,7 @@ FileReader::File FileReader::read(const std::string& path, const std::string& ke
     const Search searched = search(scene_, path);
     if (!searched.found) throw Error(named + path, "no such file", "looked in " + searched.looked);
     file.place = *searched.found;
-    try {
-      file.content = read_file(file.place, progress);
-    } catch (const Error& error) {
-      throw Error(named + error.what());
-    }
+    file.content = blaming(file, [&] { return read_file(file.place, progress); });
     if (file.place != scene_.resolve(path))
       notes.push_back(named + path + ": no such file; read " + file.place.string());
   }
@@ -61,18 +56,21 @@ void FileReader::remember(const File& file, const std::string& name) {
 
 ShapeFile FileReader::shape(const File& file) {
   const bool names_libraries = lower_ending(file.place) == ".obj";
-  return read_shape_content(file.place, file.content, [&](const std::string& name) {
+  const auto read_beside = [&](const std::string& name) {
     const File other = find_beside(file, name);
     // Another file of a library's name is not part of the scene, and is not moved with the scene.
     if (!names_libraries || other.content.find("newmtl") != std::string::npos) remember(other, name);
     return other.content;
-  });
+  };
+  return blaming(file, [&] { return read_shape_content(file.place, file.content, read_beside); });
 }
 
 SurfaceMesh FileReader::surface(const File& file) {
   ShapeFile shape = this->shape(file);
-  if (!shape.surface) throw Error(file.place.string(), "holds tets", "expected a surface");
-  return std::move(*shape.surface);
+  return blaming(file, [&] {
+    if (!shape.surface) throw Error(file.place.string(), "holds tets", "expected a surface");
+    return std::move(*shape.surface);
+  });
 }
 
 }  // namespace fascia

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "sim/scene/scene.h"
 #include "sim/surface/shape_file.h"
@@ -26,6 +27,18 @@ class FileReader {
   ShapeFile shape(const File& file);
   /// As shape(), of a file that must hold a surface.
   SurfaceMesh surface(const File& file);
+
+  /// What `use` returns. Its errors, which name the file, name the scene and the key before it: "scene.json:
+  /// bodies[0].mesh: m.msh:3: ...". Those of a mesh on its own stay as they are.
+  template <class F>
+  auto blaming(const File& file, F&& use) const {
+    try {
+      return use();
+    } catch (const Error& error) {
+      if (file.place == scene_.file) throw;
+      throw Error(where() + ": " + file.key + ": " + error.what());
+    }
+  }
 
   std::vector<ReadFile> files;     // files that were read, each key and name once
   std::vector<std::string> notes;  // one line each

@@ -58,7 +58,7 @@ void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
   }
   loaded.used = used_vertices(loaded.repaired.tets, loaded.file.mesh.positions.size());
   if (loaded.is_quadratic())
-    for (const std::uint32_t v : keep_mid_edges(loaded.file, loaded.repaired.source)) loaded.used[v] = 1;
+    for (const std::uint32_t v : keep_mid_edges(loaded.file, loaded.repaired.source, mesh_name)) loaded.used[v] = 1;
 }
 
 LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const Progress& progress) {
@@ -66,11 +66,13 @@ LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const 
   const Body& body = loaded.body;
   const std::string& key = loaded.key;
   FileReader::File mesh = files.read(body.mesh, key + ".mesh", part_of(progress, 0, 0.1));
-  const std::filesystem::path path = mesh.place;
-  ShapeFile shape = files.shape(std::exchange(mesh, {}));
+  ShapeFile shape = files.shape(mesh);
+  mesh.content = std::string();
+  const std::string path = mesh.place.string();
   if (shape.surface) {
-    FilledSurface filled =
-        fill_surface(std::move(*shape.surface), path.string(), body.resolution, part_of(progress, 0.1, 0.9));
+    FilledSurface filled = files.blaming(mesh, [&] {
+      return fill_surface(std::move(*shape.surface), path, body.resolution, part_of(progress, 0.1, 0.9));
+    });
     loaded.file = std::move(filled.file);
     loaded.surface = std::move(filled.surface);
   } else {
@@ -84,7 +86,7 @@ LoadedBody load(const Scene& scene, std::size_t index, FileReader& files, const 
     put_right(loaded.surface, repair(loaded.surface, part_of(progress, 0.95, 1)));
     loaded.file.notes.insert(loaded.file.notes.end(), loaded.surface.notes.begin(), loaded.surface.notes.end());
   }
-  repair_body(loaded, path.string());
+  files.blaming(mesh, [&] { repair_body(loaded, path); });
   return loaded;
 }
 
@@ -183,7 +185,8 @@ void add_velocity(const LoadedBody& loaded, const std::vector<char>& held, Model
   std::vector<Vector3d> velocity;
   if (const auto* path = std::get_if<std::string>(&loaded.body.initial_velocity)) {
     const FileReader::File file = loaded.files.read(*path, loaded.key + ".initial_velocity");
-    velocity = read_complete_vertex_csv(file.place, file.content, held.size());
+    velocity =
+        loaded.files.blaming(file, [&] { return read_complete_vertex_csv(file.place, file.content, held.size()); });
   } else {
     velocity.assign(held.size(), std::get<Vector3d>(loaded.body.initial_velocity));
   }
@@ -297,7 +300,24 @@ void add_surface(LoadedBody loaded, const BodyPart& part, Model& model) {
                           " away: tied to the nearest tet");
 }
 
+/// float32 holds the masses and forces of a body's elements only where its size is between these; measured with meshes
+/// of 500 to 100,000 tets.
+constexpr double kSmallestBody = 1e-7, kLargestBody = 1e9;  // [m]
+
+void require_size(const LoadedBody& loaded) {
+  const Eigen::Affine3d place = placement(loaded.body);
+  Eigen::AlignedBox3d box;
+  for (const Tet& tet : loaded.repaired.tets)
+    for (const std::uint32_t v : tet) box.extend(place * loaded.file.mesh.positions[v]);
+  const double size = box.sizes().maxCoeff();
+  if (size >= kSmallestBody && size <= kLargestBody) return;
+  throw Error(loaded.where + ".mesh", loaded.body.name + " is " + number(size) + " m wide with its unit and transform",
+              "expected " + number(kSmallestBody) + " to " + number(kLargestBody) +
+                  " m: unit or transform.scale give the mesh another size");
+}
+
 void add_body(LoadedBody loaded, Model& model) {
+  require_size(loaded);
   BodyPart part;
   part.name = loaded.body.name;
   part.vertex_begin = static_cast<std::uint32_t>(model.file_mesh.positions.size());
@@ -319,7 +339,7 @@ Model begin_model(const Scene& scene, FileReader& files) {
   model.gravity = scene.gravity;
   model.tools = tools_of(with_solids(scene.tools, [&](const std::string& path, const std::string& key) {
     const FileReader::File file = files.read(path, key);
-    return ToolSurfaceFile{files.surface(file), file.place.string()};
+    return ToolSurfaceFile{files.surface(file), scene.file.string() + ": " + key + ": " + file.place.string()};
   }));
   model.contact = scene.tools.contact;
   model.contact.bodies = model.contact.bodies && scene.bodies.size() > 1;  // a body alone has no other to touch

@@ -57,7 +57,8 @@ Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const S
     return result;
   }
   const FileReader::File file = files.read(motion.targets, key + ".targets");
-  VertexTable table = read_vertex_csv_content(file.place, file.content, body.mesh.positions.size());
+  VertexTable table = files.blaming(
+      file, [&] { return read_vertex_csv_content(file.place, file.content, body.mesh.positions.size()); });
   if (!motion.select) {
     result.vertices = std::move(table.vertices);
     result.targets = std::move(table.values);
@@ -66,7 +67,7 @@ Motion resolve_motion(const PrescribedMotion& motion, FileReader& files, const S
   for (const std::uint32_t vertex : result.vertices) {
     const auto row = std::lower_bound(table.vertices.begin(), table.vertices.end(), vertex);
     if (row == table.vertices.end() || *row != vertex) {
-      throw Error(file.place.string(),
+      throw Error(where + ".targets: " + file.place.string(),
                   "misses vertex " + std::to_string(vertex) + ", which " + where + ".select selects",
                   "expected a line for each of the " + std::to_string(result.vertices.size()) + " selected vertices");
     }

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/number_text.h"
 #include "sim/accuracy/nodal_stress.h"
+#include "sim/scene/tools/scene_names.h"
 
 namespace fascia {
 namespace {
@@ -50,13 +51,6 @@ std::string one_line(const std::string& text) {
     line += c;
   }
   return line;
-}
-
-// A name of the scene without what would end a cell.
-std::string column_name(const std::string& name) {
-  std::string column = one_line(name);
-  std::replace(column.begin(), column.end(), ',', '_');
-  return column;
 }
 
 }  // namespace

@@ -72,7 +72,11 @@ Json supports_of(const Model& model, const State& last) {
 
 Json to_json(const Errors& errors) {
   Json json = Json::object();
-  if (errors.solver) json["solver"] = *errors.solver;
+  if (errors.solver) {
+    json["solver"] = *errors.solver;
+    json["solver_worst_s"] = errors.solver_time;
+    json["solver_steps"] = errors.solver_steps;
+  }
   if (errors.time) {
     json["time"] = errors.time->relative;
     json["time_over_run"] = errors.time->over_run;

@@ -16,7 +16,9 @@ namespace fascia {
 
 /// What the last state is off by, told apart by cause: relative errors, of the displacements and of the peak stress.
 struct Errors {
-  std::optional<double> solver;  // of the last step, RMS over RMS displacement
+  std::optional<double> solver;  // WorstStep::of_displacement()
+  double solver_time = 0;        // [s] WorstStep::time()
+  int solver_steps = 0;          // WorstStep::compared()
   std::optional<TimeError> time;
   double mesh = 0;  // MeshError
   PeakErrors peak_stress;

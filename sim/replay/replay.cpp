@@ -176,10 +176,25 @@ State read_start(const Node& start) {
   return state;
 }
 
+// Recordings hold the names of bodies that their scene did not name, too: those of the meshes' files, which two bodies
+// may have had.
+void leave_out_given_names(nlohmann::json& scene) {
+  if (!scene.is_object() || !scene.contains("bodies") || !scene["bodies"].is_array()) return;
+  for (nlohmann::json& body : scene["bodies"]) {
+    const auto is_text = [&](const char* key) {
+      return body.is_object() && body.contains(key) && body[key].is_string();
+    };
+    if (is_text("name") && is_text("mesh") &&
+        body["name"] == std::filesystem::path(body["mesh"].get<std::string>()).stem().string())
+      body.erase("name");
+  }
+}
+
 // The common part of both formats: scene and start.
 Replay read_beginning(nlohmann::json& document, const Node& root, const std::vector<std::string>& overrides,
                       DocumentOrigin& origin) {
   root.at("scene", "the scene that was open");
+  leave_out_given_names(document["scene"]);
   apply_overrides(document["scene"], overrides, origin);
   Replay replay;
   // Overrides name their keys relative to the scene, as on the command line, and so do errors in the scene.

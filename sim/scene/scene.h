@@ -61,7 +61,7 @@ inline constexpr std::array kElementOrders = {ElementOrder::linear, ElementOrder
 inline const char* name_of(ElementOrder order) { return order == ElementOrder::linear ? "linear" : "quadratic"; }
 
 struct Body {
-  std::string name;
+  std::string name;               // no other body or tool has it; that of the mesh's file, if the scene has none
   std::string mesh;               // as written (Scene::resolve); tets, or a closed surface to be filled with tets
   std::optional<int> resolution;  // cells along the longest side for the filling; absent: several thousand tets
   ElementOrder elements = ElementOrder::linear;

@@ -142,6 +142,26 @@ SolverSettings read_solver(const Node& node) {
   return solver;
 }
 
+namespace {
+
+std::string body_key(std::size_t b) { return "bodies[" + std::to_string(b) + "]"; }
+
+// Before those of tools: the name of an --instrument is then the one that is refused. That of the ground has no key.
+void claim_names(const Node& root, const std::vector<Node>& elements, const std::vector<Body>& bodies,
+                 SceneNames& names) {
+  if (const auto ground = root.find("ground")) names.claim(*ground, "ground", "the ground");
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (!bodies[b].name.empty()) names.claim(elements[b].at("name", ""), bodies[b].name, body_key(b));
+}
+
+void name_the_rest(std::vector<Body>& bodies, SceneNames& names) {
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (bodies[b].name.empty())
+      bodies[b].name = names.give(std::filesystem::path(bodies[b].mesh).stem().string(), body_key(b));
+}
+
+}  // namespace
+
 Scene read_scene(const Node& root) {
   root.expect_object({"fascia_scene", "title", "gravity", "bodies", "grabs", "contact", "ground", "obstacles",
                       "instruments", "solver", "camera", "display", "duration", "files"});
@@ -151,14 +171,18 @@ Scene read_scene(const Node& root) {
   root.read("gravity", scene.gravity, -kLargestAcceleration, kLargestAcceleration, "m/s^2");
   root.read("duration", scene.duration, 0, kLongestTime, "s");
   const Node bodies = root.at("bodies", "a list of at least one body");
-  for (const Node& body : bodies.elements("a list of at least one body")) scene.bodies.push_back(read_body(body));
+  const std::vector<Node> elements = bodies.elements("a list of at least one body");
+  for (const Node& body : elements) scene.bodies.push_back(read_body(body));
   if (scene.bodies.empty()) bodies.refuse("a list of at least one body");
   if (const auto grabs = root.find("grabs"))
     for (const Node& grab : grabs->elements("a list of grabs")) {
       scene.grabs.push_back(read_grab(grab));
       scene.option_grabs += grab.where("at").starts_with("--grab");
     }
-  scene.tools = read_tools(root);
+  SceneNames names;
+  claim_names(root, elements, scene.bodies, names);
+  scene.tools = read_tools(root, names);
+  name_the_rest(scene.bodies, names);
   const auto solver = root.find("solver");
   if (solver) {
     scene.solver = read_solver(*solver);

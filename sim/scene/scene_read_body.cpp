@@ -263,8 +263,7 @@ Body read_body(const Node& node) {
   if (body.mesh.empty()) mesh.refuse(expected);
   if (const auto resolution = node.find("resolution")) body.resolution = resolution->integer(kFewestCells, kMostCells);
   if (const auto elements = node.find("elements")) body.elements = read_choice(*elements, kElementOrders);
-  const auto name = node.find("name");
-  body.name = name ? name->text("a text") : std::filesystem::path(body.mesh).stem().string();
+  if (const auto name = node.find("name")) body.name = name->text("a text");
   if (const auto unit = node.find("unit")) body.unit = read_choice(*unit, kLengthUnits);
   if (const auto up = node.find("up")) body.up = read_choice(*up, kUpAxes);
   if (const auto transform = node.find("transform")) body.transform = read_transform(*transform);

@@ -15,6 +15,19 @@
 namespace fascia {
 namespace {
 
+void require_able(const SolverSettings& solver, const Model& model, const std::string& file) {
+  const MethodInfo& method = info_of(solver.method);
+  const auto refuse = [&](const char* what, const std::string& expected) {
+    throw Error(file + ": solver.method", std::string(method.name) + " does not carry " + what,
+                "expected two_level, or " + expected);
+  };
+  if (model.has_contact() && !method.carries_contact)
+    refuse("contact",
+           "a scene without contact: without the keys ground, obstacles and instruments, and with "
+           "contact.bodies and contact.self false");
+  if (model.has_quadratic() && !method.carries_quadratic) refuse("quadratic elements", "bodies with linear elements");
+}
+
 // For solvers that are made anew with the materials of `after`.
 void soften_contact(ContactMemory& memory, const Model& before, const Model& after) {
   if (memory.empty()) return;
@@ -33,6 +46,7 @@ Simulation::Simulation(Scene opened, gl::ProgramCache* programs, bool use_refere
 Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bool use_reference,
                        const Progress& progress)
     : scene(std::move(opened)), model(std::move(built)), programs_(programs) {
+  if (programs) require_able(scene.solver, model, scene.file.string());
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, model.embedded, progress);
   if (use_reference) {
     renew_reference();

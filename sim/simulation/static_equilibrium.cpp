@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <iostream>
 #include <sstream>
 
@@ -43,11 +44,25 @@ std::string missing_in(const Simulation& simulation, const StaticReport& report)
 
 StaticReport Simulation::solve_static(const std::function<void(const StaticReport&)>& news, std::stop_token stop,
                                       std::optional<double> until) {
+  if (!model.has_contact() && !model.gravity.isZero(0))
+    if (const UnconstrainedParts free = unconstrained_parts(model, model.held()); free.parts > 0)
+      throw Error(scene.file.string(),
+                  "has no static equilibrium: a component of the mesh (" + vertex_name(model, free.first) +
+                      ") is unconstrained",
+                  "expected fixed or prescribed vertices in every component, contact that holds it, or no gravity");
   pull(until ? with_grabs(other_springs_, model.grabs, *until) : with_grabs_at_last(other_springs_, model.grabs));
+  // Waits on this thread, to send news: Newton's method itself sends none.
+  const auto with_news = [&](int iterations, const std::function<reference::NewtonReport()>& solve) {
+    if (!news) return solve();
+    std::future<reference::NewtonReport> running = std::async(std::launch::async, solve);
+    while (running.wait_for(std::chrono::seconds(1)) != std::future_status::ready) news({iterations, 1, 0});
+    return running.get();
+  };
+  int marched = 0;  // iterations before Newton's method
   const auto by_newton = [&](reference::NewtonSolver& solver, State& state, double tolerance) {
     solver.set_springs(springs_);
     if (!led_.empty()) solver.set_tools(led_.motion(model.tools, time(), std::max(time(), model.end_of_tools())));
-    return solver.solve_static(state, tolerance, until);
+    return with_news(marched, [&] { return solver.solve_static(state, tolerance, until); });
   };
   if (reference_) {  // which then has the forces of contact
     reference_->set_stop(stop);
@@ -85,7 +100,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   const bool rescues = !march.converged && model.tets.size() <= reference::NewtonSolver::kMostTets &&
                        unconstrained_parts(model, model.held()).parts == 0;
   if (stop.stop_requested() || !(refines || rescues)) return report;
-  if (news) news({march.iterations, 1, march.relative_residual, false, tolerance});
+  marched = march.iterations;
   State exact = *equilibrium_;
   reference::NewtonSolver solver(model, scene.solver, stop);
   const reference::NewtonReport newton = by_newton(solver, exact, refines ? 0 : tolerance);
@@ -127,18 +142,23 @@ std::function<void(const StaticReport&)> static_news(bool quiet) {
     double residual = 0;
     Clock::time_point time;
   };
-  return [last = Clock::now(), begin = Clock::now(), first = Seen()](const StaticReport& report) mutable {
-    if (first.residual == 0 && report.relative_residual > 0) first = {report.relative_residual, Clock::now()};
-    const bool newton = report.newton_iterations > 0 && Clock::now() - begin > kInterval;
-    if (Clock::now() - last < kInterval && !newton) return;
-    last = Clock::now();
-    std::cerr << "fascia: static equilibrium: " << report.iterations << " iterations";
+  return [begin = Clock::now(), last = Clock::now(), first = Seen()](const StaticReport& report) mutable {
+    const auto now = Clock::now();
+    if (first.residual == 0 && report.relative_residual > 0) first = {report.relative_residual, now};
+    if (now - last < kInterval) return;
+    last = now;
+    std::cerr << "fascia: static equilibrium: ";
+    if (report.iterations > 0) std::cerr << report.iterations << " iterations";
+    if (report.newton_iterations > 0) {
+      std::cerr << (report.iterations > 0 ? ", now " : "") << "by Newton's method in double precision, "
+                << std::chrono::duration_cast<std::chrono::seconds>(now - begin).count() << " s" << std::endl;
+      return;
+    }
     if (report.relative_residual > 0) std::cerr << ", relative residual " << report.relative_residual;
-    const double seconds = std::chrono::duration<double>(Clock::now() - first.time).count();
-    if (const auto left = seconds_left(first.residual, report.relative_residual, report.tolerance, seconds);
-        left && !newton)
+    const double seconds = std::chrono::duration<double>(now - first.time).count();
+    if (const auto left = seconds_left(first.residual, report.relative_residual, report.tolerance, seconds))
       std::cerr << " of " << report.tolerance << ", about " << std::ceil(*left) << " s left";
-    std::cerr << (newton ? ", now by Newton's method in double precision" : "") << std::endl;
+    std::cerr << std::endl;
   };
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "sim/accuracy/mesh_error.h"
@@ -21,10 +22,12 @@ void TrueError::forget() {
   result_.reset();
 }
 
-StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std::stop_token stop) {
+// `state`: the end of the exact step.
+StepError TrueError::compare_solver(const Problem& problem, const SolvedStep& step, std::stop_token stop,
+                                    State& state) {
   const IntegratorStage& stage = problem.stage;
   const std::size_t n = step.solution.size();
-  State state{step.previous, {}, problem.end_time - stage.duration};
+  state = State{step.previous, {}, problem.end_time - stage.duration};
   state.earlier.displacement = step.previous;
   for (std::size_t v = 0; v < n; ++v) {
     // The velocity v* that leads to exactly the u~ of the solver, and the earlier displacement to its u*
@@ -52,10 +55,18 @@ StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std
   }
   error.relative = squared > 0 ? std::sqrt(squared / scale) : 0;
   error.of_displacement = squared > 0 ? std::sqrt(squared / whole) : 0;
+  error.rms = std::sqrt(squared / static_cast<double>(n));
+  error.displacement = std::sqrt(whole / static_cast<double>(n));
+  return error;
+}
+
+StepError TrueError::compare(const Problem& problem, const SolvedStep& step, std::stop_token stop) {
+  State exact;
+  StepError error = compare_solver(problem, step, stop, exact);
   const State solved{step.solution, {}, 0};
   const MeshError mesh = estimate_mesh_error(problem.model, solved);
   error.mesh = mesh.displacement;
-  error.peak_stress = {peak_distance(problem.model, solved, state, stop), mesh.peak_stress};
+  error.peak_stress = {peak_distance(problem.model, solved, exact, stop), mesh.peak_stress};
   if (!problem.last) return error;
   if (const TimeError time = error_in_time(problem, stop); time.complete) error.time = time;
   return error;
@@ -109,6 +120,15 @@ bool TrueError::update(Simulation& simulation, bool continuously) {
   if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   result_ = running_.get();
   return true;
+}
+
+StepError TrueError::measure_solver(Simulation& simulation) {
+  forget();
+  if (simulation.uses_reference() || !simulation.gpu()->has_step()) return {};
+  begin(simulation, false);
+  State exact;
+  const Problem problem = *std::exchange(waiting_, {});
+  return compare_solver(problem, *snapshot_.take(simulation.gpu()->buffers(), true), stop_.get_token(), exact);
 }
 
 const StepError& TrueError::measure(Simulation& simulation) {

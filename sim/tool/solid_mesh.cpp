@@ -19,10 +19,10 @@ constexpr double kCellsAcross = 4;               // of a thin part
 constexpr int kMargin = 3;                       // cells around the surface
 
 void require_closed(const SurfaceRepair& repaired, const std::string& where) {
-  require_fillable(repaired, where);
   if (const SurfaceReport& report = repaired.report; !repaired.closed())
     throw Error(where, "is open: " + plural(report.open_edges.count, "edge") + " of one triangle only",
                 "expected a closed surface");
+  require_fillable(repaired, where);
 }
 
 // The sign stays from one node to the next where both are so far from the surface that it cannot pass between them.

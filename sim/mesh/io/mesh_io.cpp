@@ -12,6 +12,7 @@
 #include "sim/mesh/io/mesh_formats.h"
 #include "sim/mesh/io/xml.h"
 #include "sim/mesh/mid_edges.h"
+#include "sim/mesh/mid_order.h"
 
 namespace fascia {
 namespace fs = std::filesystem;
@@ -142,9 +143,13 @@ std::string names_left_out(const fs::path& path, const TetMesh& mesh) {
   return text + (names.size() > kNamed ? " and " + std::to_string(names.size() - kNamed) + " more." : ".");
 }
 
-std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std::uint32_t>& usable) {
+std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std::uint32_t>& usable,
+                                          const std::string& where) {
   if (file.mid_edges.empty()) return {};
   std::erase(file.notes, kHigherOrderNote);
+  if (const std::size_t tets = order_mid_edges(file.mesh, usable, file.mid_edges, where); tets > 0)
+    file.notes.push_back("middle vertices of " + plural(tets, "quadratic tet") +
+                         " are not in the order of the format: put in order by their places");
   TetMesh whole = file.mesh;
   add_mid_edges(whole, usable, file.mid_edges);
   if (const std::size_t curved = straighten(whole); curved > 0)

@@ -1,7 +1,6 @@
 #include "sim/scene/tools/read_tools.h"
 
 #include <algorithm>
-#include <set>
 
 #include "base/json/json_document.h"
 #include "base/suggest.h"
@@ -187,27 +186,21 @@ ContactSettings read_contact(const Node& node) {
 
 }  // namespace
 
-SceneTools read_tools(const Node& root) {
+SceneTools read_tools(const Node& root, SceneNames& names) {
   SceneTools tools;
   if (const auto contact = root.find("contact")) tools.contact = read_contact(*contact);
-  std::set<std::string> names;
-  const auto claim = [&](const Node& node, const std::string& name) {
-    if (name.empty()) node.fail("has an empty name", "a name, which statistics use");
-    if (!names.insert(name).second) node.fail("is the second one called " + excerpt(name), "a name of its own");
-  };
-  if (const auto ground = root.find("ground")) {
-    tools.ground = read_ground(*ground);
-    claim(*ground, "ground");
-  }
+  if (const auto ground = root.find("ground")) tools.ground = read_ground(*ground);
   if (const auto obstacles = root.find("obstacles"))
     for (const Node& node : obstacles->elements("a list of obstacles")) {
+      const std::string owner = "obstacles[" + std::to_string(tools.obstacles.size()) + "]";
       tools.obstacles.push_back(read_obstacle(node));
-      claim(node, tools.obstacles.back().name);
+      names.claim(node, tools.obstacles.back().name, owner);
     }
   if (const auto instruments = root.find("instruments"))
     for (const Node& node : instruments->elements("a list of instruments")) {
+      const std::string owner = "instruments[" + std::to_string(tools.instruments.size()) + "]";
       tools.instruments.push_back(read_instrument(node));
-      claim(node, tools.instruments.back().name);
+      names.claim(node, tools.instruments.back().name, owner);
     }
   return tools;
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json/json_node.h"
+#include "sim/scene/tools/scene_names.h"
 #include "sim/scene/tools/scene_tools.h"
 
 namespace fascia {
@@ -13,8 +14,8 @@ inline constexpr double kFarthest = 1e6, kSmallest = 1e-9;  // [m]
 inline constexpr double kLongest = 1e9, kShortest = 1e-9;   // [s]
 }  // namespace tool_limits
 
-/// `root`: the scene. Throws Error.
-SceneTools read_tools(const Node& root);
+/// `root`: the scene. `names` gets those of obstacles and instruments. Throws Error.
+SceneTools read_tools(const Node& root, SceneNames& names);
 /// Adds the keys to the document of the scene; none without tools and with default settings.
 void write_tools(const SceneTools& tools, nlohmann::ordered_json& document);
 

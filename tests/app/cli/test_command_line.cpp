@@ -59,7 +59,7 @@ TEST_CASE("every command has help with examples and exit codes", "[command_line]
   }
 }
 
-TEST_CASE("unknown words suggest the nearest known one", "[command_line]") {
+TEST_CASE("unknown words suggest the nearest known one, and wrong values say what is expected", "[command_line]") {
   const struct {
     Words arguments;
     std::string said;
@@ -68,7 +68,9 @@ TEST_CASE("unknown words suggest the nearest known one", "[command_line]") {
                {{"bench", "spede", "--out", "x"}, "perhaps you meant speed"},
                {{"rendr"}, "perhaps you meant render"},
                {{"chekc", "assets/check"}, "perhaps you meant check"},
-               {{"run", "--zzzzzzzz"}, "--zzzzzzzz: not expected here"}};
+               {{"run", "--zzzzzzzz"}, "--zzzzzzzz: not expected here"},
+               {{"run", "x", "--steps", "1.5"}, "--steps: is 1.5; expected a whole number"},
+               {{"run", "x", "--time", "1s"}, "--time: is 1s; expected a number"}};
   for (const auto& [arguments, said] : cases) {
     const CommandResult result = run_fascia(arguments);
     CAPTURE(arguments, result.err, said);

@@ -66,6 +66,28 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CHECK(exact.contains("time"));
 }
 
+TEST_CASE("run --error has the step of a hit, after which the last one is exact", "[cli]") {
+  const TemporaryFolder folder;
+  const std::string scene = (folder / "scene.json").string();
+  nlohmann::json body{{"mesh", (source_dir() / "assets/meshes/cube.msh").string()}, {"initial_velocity", {0, -2, 0}}};
+  body["materials"]["default"] = {{"young_modulus", 2e4}, {"poisson_ratio", 0.45}};
+  write_file(
+      scene,
+      nlohmann::json{
+          {"fascia_scene", 1}, {"bodies", {body}}, {"ground", {{"height", -0.05}}}, {"solver", {{"iterations", 3}}}}
+          .dump());
+  const CommandResult result =
+      run_fascia({"run", scene, "--steps", "60", "--context", "osmesa", "--error", "--stats", "-"});
+  CAPTURE(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.err.find("largest error of the solver in 60 steps compared: ") != std::string::npos);
+  const nlohmann::json stats = nlohmann::json::parse(result.out), errors = stats.at("errors");
+  CHECK(stats.at("error").get<double>() < 1e-3);
+  CHECK(errors.at("solver").get<double>() > 0.01);
+  CHECK(errors.at("solver_steps") == 60);
+  CHECK(errors.at("solver_worst_s").get<double>() < 0.3);  // it meets the ground at 0.025 s
+}
+
 // Without lateral contraction a cube between plates is stretched uniformly: the Cauchy stress is E l (l^2 - 1) / 2.
 TEST_CASE("run --recovered-stress has the stress of a drawn cube in statistics and history, which lack it otherwise",
           "[cli]") {

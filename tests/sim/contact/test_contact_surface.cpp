@@ -88,6 +88,30 @@ TEST_CASE("a tool that begins wholly inside tissue is told", "[contact]") {
   CHECK(notes_at({0.1, 0.05, 0.1}, rod).empty());  // its middle is inside, its end sticks out
 }
 
+TEST_CASE("a body that begins inside a tool is told", "[contact]") {
+  const auto notes_at = [](double height) {
+    Model model = box_with(PlaneShape{{0, 0, 0}, {0, 1, 0}});
+    model.bodies = {{"box",
+                     0,
+                     static_cast<std::uint32_t>(model.rest_positions.size()),
+                     0,
+                     static_cast<std::uint32_t>(model.tets.size()),
+                     0,
+                     1,
+                     {}}};
+    model.tools[0].path.resize(1);
+    model.tools[0].path[0].position.y() = height;
+    return check_contact(model, "s.json");
+  };
+  CHECK(notes_at(0).empty());
+  CHECK(notes_at(1e-3).empty());
+  REQUIRE(notes_at(0.01).size() == 1);
+  CHECK_THAT(notes_at(0.01)[0],
+             Catch::EndsWith(" of its surface begin inside tool, up to 10 mm deep: contact pushes them "
+                             "out within a step"));
+  CHECK_THAT(notes_at(1)[0], Catch::StartsWith("box: ") && Catch::Contains("up to 1 m deep"));
+}
+
 TEST_CASE("more rigid pieces than the GPU tells apart are refused", "[contact]") {
   Model model = box_with(SphereShape{{0, 0, 0}, 0.2});
   model.tools[0].path[0].position = {0, 2, 0};

@@ -37,5 +37,34 @@ TEST_CASE("triangles that cut each other are counted, of two bodies and of one",
   CHECK(penetrating_triangles(box, u) > 0);
 }
 
+TEST_CASE("bodies that begin in each other are found, touching ones are not", "[contact]") {
+  const Model box = test::box_model(4, 4, 4, {0.2, 0.2, 0.2}, test::soft(1e5));
+  const auto at = [&](const Vector3d& way, const Model& other) {
+    return overlaps_at_rest(test::beside(box, test::moved(other, way), "second"));
+  };
+  CHECK(at({0.2, 0, 0}, box).empty());
+  CHECK(at({0.2 - 1e-5, 0, 0}, box).empty());
+  CHECK(at({0.3, 0.1, 0}, box).empty());
+
+  const std::vector<Overlap> same = at({0, 0, 0}, box);
+  REQUIRE(same.size() == 2);
+  for (const Overlap& overlap : same) {
+    CHECK(overlap.other == 1 - overlap.body);
+    CHECK(overlap.vertices == 27);  // of the inside: the others are on the surface
+    CHECK(overlap.tets == box.tets.size());
+    CHECK(overlap.deepest == Approx(0.1));
+  }
+  const std::vector<Overlap> corner = at({0.13, 0.13, 0.13}, box);
+  REQUIRE(corner.size() == 2);
+  CHECK(corner[0].vertices == 8);  // at 0.15 and 0.2 along each axis, up to 7 cm behind the sides at 0.13
+  CHECK(corner[0].deepest == Approx(0.07));
+  // Without a vertex inside: the middles of tets count
+  const Model coarse = test::box_model(1, 1, 1, {0.2, 0.2, 0.2}, test::soft(1e5));
+  const std::vector<Overlap> without = overlaps_at_rest(test::beside(coarse, coarse, "second"));
+  REQUIRE(without.size() == 2);
+  CHECK(without[0].vertices == 0);
+  CHECK(without[0].tets == coarse.tets.size());
+}
+
 }  // namespace
 }  // namespace fascia

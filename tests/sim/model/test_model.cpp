@@ -267,7 +267,9 @@ TEST_CASE("initial velocities from a table need every vertex") {
   CHECK_THAT(scene.build_error(),
              Catch::Contains("s.json: bodies[0].initial_velocity: v.csv: no such file; looked in "));
   write_file(scene / "v.csv", "index,x,y,z\n0,1,2,3\n1,1,1,1\n");
-  CHECK(scene.build_error() == "v.csv: misses 4 of 6 vertices, the first is 2; expected a line for every vertex");
+  CHECK(scene.build_error() ==
+        "s.json: bodies[0].initial_velocity: v.csv: misses 4 of 6 vertices, the first is 2; expected a line for every "
+        "vertex");
   write_file(scene / "v.csv", "index,x,y,z\n0,1,2,3\n1,1,1,1\n2,0,0,0\n3,0,0,0\n4,0,0,0\n5,0,0,0\n");
   const Model model = scene.build();
   CHECK(model.initial_velocity[0] == Vector3d(1, 2, 3));
@@ -306,15 +308,47 @@ TEST_CASE("a mesh of degenerate tets only cannot be simulated") {
   mesh.resize(mesh.find("$Elements"));
   mesh += "$Elements\n1\n1 4 2 1 1 1 2 3 3\n$EndElements\n";
   CHECK(TwoTets("", mesh).build_error() ==
-        "m.msh: has no tet higher than 1e-7 of its longest edge (1 degenerate); expected at least one");
+        "s.json: bodies[0].mesh: m.msh: has no tet higher than 1e-7 of its longest edge (1 degenerate); expected at "
+        "least one");
 }
 
-TEST_CASE("a missing mesh is reported with its scene key, an unreadable one under its own name") {
+TEST_CASE("a missing or unreadable mesh is reported with its scene key") {
   const SceneFile scene(scene_text());
   const auto build_error = [&] { return scene.error_of([&] { build_model(scene.open()); }); };
   CHECK_THAT(build_error(), Catch::Contains("s.json: bodies[0].mesh: m.msh: no such file; looked in "));
   write_file(scene / "m.msh", "rubbish");
-  CHECK(build_error().find("m.msh") == 0);
+  CHECK(build_error().find("s.json: bodies[0].mesh: m.msh: is not a mesh format") == 0);
+  const SceneFile alone("rubbish", "alone.msh");
+  CHECK(alone.error_of([&] { build_model(alone.open()); }).find("alone.msh: is not a mesh format") == 0);
+}
+
+TEST_CASE("files of surfaces and tools are reported with their scene keys") {
+  const std::string surface = R"("surface": "o.obj")", tool = R"("instruments": [{"name": "p", "shape":
+      {"mesh": {"file": "o.obj"}}}])";
+  const auto error = [](const std::string& keys, const std::string& top, const std::string& obj) {
+    const SceneFile scene(scene_text(keys, top));
+    write_file(scene / "m.msh", kTwoTets);
+    write_file(scene / "o.obj", obj);
+    return scene.error_of([&] { build_model(scene.open()); });
+  };
+  const std::string at_tool = "s.json: instruments[0].shape.mesh.file: o.obj";
+  CHECK(error(surface, "", "f 1 2 3").find("s.json: bodies[0].surface: o.obj:1: ") == 0);
+  CHECK(error("", tool, "f 1 2 3").find(at_tool + ":1: ") == 0);
+  CHECK(error("", tool, "").find(at_tool + ": has no faces") == 0);
+  CHECK(error("", tool, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n") ==
+        at_tool + ": is open: 3 edges of one triangle only; expected a closed surface");
+}
+
+TEST_CASE("bodies too small or too large for float32 are refused by their size") {
+  const auto error = [](const std::string& scale) {
+    return TwoTets(R"("name": "a", "transform": {"scale": )" + scale + "}").build_error();
+  };
+  const std::string expected =
+      " m wide with its unit and transform; expected 1e-07 to 1e+09 m: unit or transform.scale give the mesh another "
+      "size";
+  CHECK(error("1e-9") == "s.json: bodies[0].mesh: a is 1e-09" + expected);
+  CHECK(TwoTets(R"("unit": "um", "transform": {"scale": 0.2})").build().tets.size() == 2);
+  CHECK(TwoTets(R"("transform": {"scale": 1e8})").build().tets.size() == 2);
 }
 
 TEST_CASE("the hash of a mesh depends on every bit of positions and every index") {

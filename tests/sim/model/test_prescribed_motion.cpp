@@ -140,10 +140,10 @@ TEST_CASE("targets move the vertices of their table, or the selected ones of the
 
 TEST_CASE("invalid motions") {
   CHECK(error_with(R"({"select": {"vertices": [4, 6]}, "targets": "t.csv"})", "4,0,0,0\n5,0,0,0\n") ==
-        "t.csv: misses vertex 6, which s.json: bodies[0].prescribed[0].select selects; expected a line for each of the "
-        "2 selected vertices");
+        "s.json: bodies[0].prescribed[0].targets: t.csv: misses vertex 6, which s.json: bodies[0].prescribed[0].select "
+        "selects; expected a line for each of the 2 selected vertices");
   CHECK(error_with(R"({"targets": "t.csv"})", "4,0,0,0\n613,0,0,0\n") ==
-        "t.csv:2: vertex 613 does not exist; expected 0 to 612");
+        "s.json: bodies[0].prescribed[0].targets: t.csv:2: vertex 613 does not exist; expected 0 to 612");
   CHECK_THAT(error_with(R"({"targets": "nowhere.csv"})"),
              Catch::Contains("s.json: bodies[0].prescribed[0].targets: nowhere.csv: no such file; looked in "));
   CHECK(error_with(R"({"select": {"vertices": [4]}}, {"select": {"vertices": [3, 4]}, "start": 1})") ==

@@ -90,6 +90,19 @@ TEST_CASE("a written replay reads back the same, to the last digit") {
   CHECK(read.start->led == replay.start->led);
 }
 
+TEST_CASE("bodies that an older recording named alike after their files get names of their own") {
+  const TemporaryFolder folder;
+  const auto names_of = [&](const std::string& second) {
+    write_file(folder / "r.fascia", R"({"fascia_replay": 1, "steps": 0, "scene": {"fascia_scene": 1, "bodies": [
+      {"name": "m", "mesh": "a/m.msh"}, {"name": ")" +
+                                        second + R"(", "mesh": "m.msh"}]}})");
+    const Scene scene = read_replay(folder / "r.fascia").scene;
+    return scene.bodies[0].name + ", " + scene.bodies[1].name;
+  };
+  CHECK(names_of("m") == "m, m 2");
+  CHECK(names_of("n") == "m, n");
+}
+
 TEST_CASE("--set changes the scene of a replay") {
   const SceneFile file(replay_text(R"("steps": 3)"), "r.fascia");
   CHECK(read_replay(file.path(), {"solver.iterations=7"}).scene.solver.iterations == 7);

@@ -144,7 +144,10 @@ Scene scene(Dice& dice, const std::filesystem::path& file) {
   visit_settings(scene.solver, [&](auto& value, const char*, const char*, auto least, auto most, auto&&...) {
     value = static_cast<std::decay_t<decltype(value)>>(dice.number(double(least), double(most)));
   });
-  for (int n = dice.whole(1, 3); n > 0; --n) scene.bodies.push_back(body(dice, pair.method));
+  for (int n = dice.whole(1, 3); n > 0; --n) {
+    scene.bodies.push_back(body(dice, pair.method));
+    scene.bodies.back().name += std::to_string(n);  // each name once
+  }
   if (dice.chance())
     scene.camera =
         CameraSettings{{1, 2, dice.number(3, 1e9)}, {dice.number(-1, 0.5), 0, 0}, {0, 1, 0}, dice.number(1, 170)};

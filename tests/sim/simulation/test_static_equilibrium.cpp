@@ -54,6 +54,19 @@ TEST_CASE("after a static solve by the reference solver its forces of contact ar
   }
 }
 
+TEST_CASE("a search with news finds the same to the bit, and stops when it is asked to", "[static]") {
+  const auto found = [](const std::function<void(const StaticReport&)>& news) {
+    Simulation simulation(FreeCube().scene, nullptr, true);
+    CHECK(simulation.solve_static(news).converged);
+    return simulation.state().displacement;
+  };
+  CHECK(found([](const StaticReport&) {}) == found({}));
+  Simulation simulation(FreeCube().scene, nullptr, true);
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_FALSE(simulation.solve_static([](const StaticReport&) {}, stop.get_token()).converged);
+}
+
 TEST_CASE("a search without an equilibrium says what is missing", "[static]") {
   FreeCube cube;
   CHECK(cube.error().empty());

@@ -186,7 +186,8 @@ TEST_CASE("mistakes in tools are errors of one line that say what was expected")
             .find("path[0].grip: has no jaws to close") != std::string::npos);
   CHECK(instrument(R"("name": "ground", "shape": {"sphere": {"radius": 1}}}, {"name": "ground",
                      "shape": {"sphere": {"radius": 1}})")
-            .find("instruments[1]: is the second one called \"ground\"") != std::string::npos);
+            .find("instruments[1]: \"ground\" is the name of instruments[0]; expected a name of its own") !=
+        std::string::npos);
   CHECK(error(R"("contact": {"self": 1})").find("s.json: contact.self: is 1; expected") == 0);
 }
 
