@@ -59,30 +59,59 @@ TEST_CASE("what is far apart has no pairs, and what will meet within the step ha
   CHECK(found(other, shifted, {-0.4, -0.2, 0}).size() > 20);
 }
 
-// The front of the upper box leans forward a little, so that the normals of its front and of the lower box's top are
-// opposed by what bending tissue has.
+// A box whose front is `along` the lower one and leans forward a little, so that the normals of its front and of the
+// lower box's top are opposed by what bending tissue has. `above`: of its front's edge.
+Model leaning_box(double along, double above) {
+  constexpr double lean = 0.01;
+  Model upper = test::moved(box(3), {along - kSize, kSize + above, 0.013});
+  const Vector3d edge = {along, kSize + above, 0};
+  for (Vector3d& x : upper.rest_positions) {
+    const Vector3d from = x - edge;
+    x = edge + Vector3d(from.x() + lean * from.y(), from.y() - lean * from.x(), from.z());
+  }
+  return test::beside(box(), upper, "upper");
+}
+
 TEST_CASE("a box that slides over another one is not pressed back by the vertices that its front passes", "[contact]") {
-  const double way = 0.02, lean = 0.01;
-  const double skin = PairSearch(test::beside(box(), test::moved(box(3), {0, kSize, 0}), "upper")).skin();
+  const double way = 0.02, skin = PairSearch(leaning_box(0.05, 0)).skin();
   std::size_t passed = 0;
-  for (const double below : {1.0, 0.9, 0.7})  // of the skin: between the lower box and the front's edge
+  for (const double above : {1.0, 0.9, 0.7})  // of the skin
     for (int k = 0; k < 60; ++k) {
-      Model upper = test::moved(box(3), {0.001 * k - 0.15, kSize + below * skin, 0.013});
-      const Vector3d edge = {0.001 * k - 0.15 + kSize, kSize + below * skin, 0};
-      for (Vector3d& x : upper.rest_positions) {
-        const Vector3d from = x - edge;
-        x = edge + Vector3d(from.x() + lean * from.y(), from.y() - lean * from.x(), from.z());
-      }
-      const Model model = test::beside(box(), upper, "upper");
+      const Model model = leaning_box(0.05 + 0.001 * k, above * skin);
       PairSearch search(model);
       for (const PairRow& row : found(search, model, {way, 0, 0})) {
         const double moved = (row.bodies[0] == 1 ? way : -way) * row.normal.x(), gap = row.gap + moved;
-        CAPTURE(below, k, row.normal.transpose(), row.gap, gap, row.vertices[0]);
+        CAPTURE(above, k, row.normal.transpose(), row.gap, gap, row.vertices[0]);
         CHECK((gap > -0.1 * skin || std::abs(row.normal.x()) < 0.3));
         passed += std::abs(row.normal.y()) > 0.9;
       }
     }
   CHECK(passed > 1000);
+}
+
+// It is looked for where its fall leads, into the vertices ahead, which the contact beneath it prevents.
+TEST_CASE("a step is solved again where the normal at an edge stops what slides around it", "[contact]") {
+  const double way = 0.02, skin = PairSearch(leaning_box(0.05, 0)).skin();
+  int again = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Model model = leaning_box(0.05 + 0.001 * k, 0.95 * skin);
+    PairSearch search(model);
+    const auto slid = [&](const Vector3d& by) {
+      std::vector<Vector3d> end = nowhere(model);
+      for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v) end[v] = by;
+      return end;
+    };
+    found(search, model, {way, -0.8 * skin, 0});
+    if (!search.misses(slid({way, 0, 0}))) continue;
+    ++again;
+    for (const PairRow& row : search.find_again()) {
+      CAPTURE(k, row.normal.transpose(), row.gap, row.vertices[0]);
+      CHECK((row.gap + (row.bodies[0] == 1 ? way : -way) * row.normal.x() > -0.1 * skin ||
+             std::abs(row.normal.x()) < 0.3));
+    }
+    CHECK_FALSE(search.misses(slid({way, 0, 0})));
+  }
+  CHECK(again > 5);
 }
 
 TEST_CASE("crossing edges of two boxes are a pair", "[contact]") {
