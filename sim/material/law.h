@@ -72,7 +72,7 @@ double damping_share(MaterialModel model, const Eigen::Matrix3d& previous_strain
 /// lambda of the viscosity [Pa], at most that of this Poisson's ratio with the tissue's mu. D acts on the trace of E,
 /// which changes with the square of a stretch even where the volume stays: a lambda of hundreds of mu would hold the
 /// shape of tissue that it should only keep from changing its volume.
-constexpr double kMostViscousRatio = 0.45;
+constexpr double kMostViscousRatio = 0.46;
 double viscous_lambda(const Material& material);
 
 bool reads(MaterialModel model, std::string_view field);  // of Material, by its name in visit_material()

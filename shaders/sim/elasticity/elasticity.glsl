@@ -31,7 +31,7 @@ Elastic elastic_of(mat3 h, vec4 material) {
 }
 
 #if DAMPING
-#define MOST_VISCOUS_RATIO 0.45
+#define MOST_VISCOUS_RATIO 0.46
 float viscous_lambda(vec4 material) {
   if (material.y <= MOST_VISCOUS_RATIO) return lame_lambda(material);
   return 2.0 * MOST_VISCOUS_RATIO / (1.0 - 2.0 * MOST_VISCOUS_RATIO) * lame_mu(material);
