@@ -1,17 +1,18 @@
 // Abaqus and CalculiX .inp: keyword lines that begin with '*', then lines of values with commas. Nodes, elements, sets
 // and solid sections are read; the sections' sets of elements are the regions, or else the sets that *ELEMENT names.
-// A part may be placed by one *INSTANCE. Files that *INCLUDE or INPUT= names are read in their place.
+// Every *INSTANCE places a part: a file of several is read once for each of them, without the parts and sets of the
+// others, and the results are merged. Files that *INCLUDE or INPUT= names are read in their place.
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <utility>
 
-#include "sim/mesh/io/fem/fem_mesh.h"
+#include "sim/mesh/io/fem/abaqus_lines.h"
+#include "sim/mesh/io/fem/abaqus_outline.h"
 #include "sim/mesh/io/fem/included_files.h"
+#include "sim/mesh/io/fem/merged_mesh.h"
 
 namespace fascia {
 namespace {
@@ -20,90 +21,36 @@ constexpr const char* kOfAssembly = " (assembly)";  // behind the name of a set 
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-std::string trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\"");
-  if (begin == text.npos) return "";
-  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\"") + 1 - begin));
-}
-
-std::string upper_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
-/// A keyword line: its words in upper case, the values of parameters as they are.
-struct Keyword {
-  std::string name;
-  std::map<std::string, std::string> parameters;
-  bool has(const char* parameter) const { return parameters.contains(parameter); }
-  std::string value(const char* parameter) const {
-    const auto found = parameters.find(parameter);
-    return found == parameters.end() ? "" : found->second;
-  }
-};
-
-/// The kind of element by its name: C3D10MH is a solid of ten nodes, CPS3 a triangle.
-std::optional<FemElement> abaqus_element(const std::string& type) {
-  struct Family {
-    const char* prefix;
-    int dimension;
-  };
-  static constexpr std::array<Family, 15> families = {{{"DC3D", 3},
-                                                       {"AC3D", 3},
-                                                       {"C3D", 3},
-                                                       {"SFM3D", 2},
-                                                       {"M3D", 2},
-                                                       {"R3D", 2},
-                                                       {"STRI", 2},
-                                                       {"CPS", 2},
-                                                       {"CPE", 2},
-                                                       {"CAX", 2},
-                                                       {"DC2D", 2},
-                                                       {"DS", 2},
-                                                       {"S", 2},
-                                                       {"T3D", 1},
-                                                       {"B3", 1}}};
-  const auto family = std::find_if(families.begin(), families.end(), [&](const Family& f) {
-    const std::size_t length = std::string_view(f.prefix).size();
-    return type.starts_with(f.prefix) && type.size() > length && std::isdigit(static_cast<unsigned char>(type[length]));
-  });
-  if (family == families.end()) return std::nullopt;
-  std::size_t nodes = 0;
-  std::from_chars(type.data() + std::string_view(family->prefix).size(), type.data() + type.size(), nodes);
-  if (family->prefix == std::string_view("STRI") && nodes == 65) nodes = 6;
-  static const std::map<std::pair<int, std::size_t>, std::size_t> corners = {
-      {{3, 4}, 4},  {{3, 5}, 5},  {{3, 6}, 6}, {{3, 8}, 8}, {{3, 10}, 4}, {{3, 13}, 5}, {{3, 15}, 6},
-      {{3, 20}, 8}, {{3, 27}, 8}, {{2, 3}, 3}, {{2, 4}, 4}, {{2, 6}, 3},  {{2, 8}, 4},  {{2, 9}, 4}};
-  const auto found = corners.find({family->dimension, nodes});
-  if (found == corners.end()) return FemElement{family->dimension, 0, 0};
-  return FemElement{family->dimension, found->second, nodes};
-}
-
 class AbaqusReader {
  public:
   AbaqusReader(Scanner& in, MeshFile& file, const ReadBeside& read_beside)
       : in_(&in), file_(file), mesh_(file), included_(in.where(), read_beside) {}
 
+  /// Only what belongs to this instance. `several`: all sets of the assembly have kOfAssembly behind their names.
+  void read_instance(const AbaqusInstance& instance, bool several) {
+    instance_ = &instance;
+    several_ = several;
+    read();
+  }
+
   void read() {
-    file_.format = "Abaqus";
-    in_->skip_commas();
     read_keywords();
     in_->set_section("");
-    if (file_.mesh.positions.empty()) in_->fail("has no nodes", "expected *NODE");
+    if (file_.mesh.positions.empty())
+      in_->fail(instance_ ? "instance " + in_quotes(instance_->name) + " has no nodes" : "has no nodes",
+                "expected *NODE");
     name_regions();
     if (own_nodes_)
       file_.notes.push_back("Nodes of the assembly, which belong to no part, and sets of them are left out.");
     note_cut_off(*in_, file_);
     place();
-    mesh_.finish(in_->where());
+    mesh_.build();
   }
 
  private:
   using Of = FemMesh::Of;
 
-  char next() const { return in_->remaining() > 0 ? in_->data()[in_->offset()] : '\0'; }
-  bool at_comment() const { return in_->data().substr(in_->offset()).starts_with("**"); }
-  bool at_keyword() const { return next() == '*' && !at_comment(); }
+  bool at_keyword() const { return at_abaqus_keyword(*in_); }
 
   void read_keywords() {
     while (in_->remaining() > 0) {
@@ -111,8 +58,7 @@ class AbaqusReader {
         in_->line();  // values of a keyword that is passed over, blank lines, comments
         continue;
       }
-      in_->blame(in_->offset());
-      read_keyword(keyword_line());
+      read_keyword(take_keyword(*in_));
     }
   }
 
@@ -131,33 +77,10 @@ class AbaqusReader {
   /// At the beginning of the next line of values; false before a keyword and at the end.
   bool at_values() {
     while (in_->remaining() > 0 && !at_keyword()) {
-      if (!at_comment() && !in_->at_line_end()) return true;
+      if (!at_abaqus_comment(*in_) && !in_->at_line_end()) return true;
       in_->line();
     }
     return false;
-  }
-
-  Keyword keyword_line() {
-    std::string text;
-    for (bool goes_on = true; goes_on && in_->remaining() > 0;) {
-      const std::string_view line = in_->line();
-      text += line;
-      goes_on = trimmed(line).ends_with(',') && !at_keyword();
-    }
-    Keyword keyword;
-    std::string_view rest(text);
-    for (bool first = true; !rest.empty(); first = false) {
-      const std::string_view part = rest.substr(0, rest.find(','));
-      rest.remove_prefix(std::min(part.size() + 1, rest.size()));
-      if (first) {
-        keyword.name = upper_case(trimmed(part.substr(1)));
-      } else {
-        const std::size_t equals = std::min(part.find('='), part.size());
-        keyword.parameters[upper_case(trimmed(part.substr(0, equals)))] =
-            equals < part.size() ? trimmed(part.substr(equals + 1)) : "";
-      }
-    }
-    return keyword;
   }
 
   void read_keyword(const Keyword& keyword) {
@@ -176,14 +99,47 @@ class AbaqusReader {
     if (keyword.name == "SOLID SECTION" && !keyword.value("ELSET").empty())
       return sections_.push_back(known_name(Of::elements, keyword.value("ELSET")));
     if (keyword.name == "INCLUDE") return read_other(keyword, [&] { read_keywords(); });
-    if (keyword.name == "INSTANCE") return read_instance();
-    if (keyword.name == "PART" && ++parts_ > 1 && !file_.mesh.positions.empty())
-      in_->fail("is the second part", "expected one: export the parts as one, or each in a file of its own");
+    if (keyword.name == "PART") return begin_part(keyword);
+    if (keyword.name == "INSTANCE") return begin_instance(keyword);
+    if (keyword.name == "END INSTANCE") return end_instance();
   }
 
   void begin_assembly(bool begins) {
     in_assembly_ = begins && parts_ > 0;
     for (const auto& [key, name] : spelled_) of_part_.insert(key.second);
+  }
+
+  static bool same_name(const std::string& a, const std::string& b) { return upper_case(a) == upper_case(b); }
+
+  void skip_to(const char* end) {
+    while (in_->remaining() > 0) {
+      if (at_keyword() && take_keyword(*in_).name == end) return;
+      if (!at_keyword()) in_->line();
+    }
+  }
+
+  void begin_part(const Keyword& keyword) {
+    ++parts_;
+    if (!instance_) return;
+    if (!same_name(keyword.value("NAME"), instance_->part)) return skip_to("END PART");
+    found_part_ = true;
+  }
+
+  void begin_instance(const Keyword& keyword) {
+    if (instance_) {
+      if (!same_name(keyword.value("NAME"), instance_->name)) return skip_to("END INSTANCE");
+      if (!found_part_) in_->fail("names part " + in_quotes(instance_->part), "expected an earlier *PART");
+    }
+    read_placement();
+    in_instance_ = true;
+    // The mesh of an independent instance stands here instead of in its part.
+    is_independent_ = file_.mesh.positions.empty();
+    if (is_independent_) in_assembly_ = false;
+  }
+
+  void end_instance() {
+    if (is_independent_) begin_assembly(true);
+    in_instance_ = is_independent_ = false;
   }
 
   void require_rectangular(const Keyword& keyword) {
@@ -245,10 +201,14 @@ class AbaqusReader {
   void read_set(const Keyword& keyword, Of of) {
     const std::string name = keyword.value(of == Of::nodes ? "NSET" : "ELSET");
     if (name.empty()) in_->fail("has no name", of == Of::nodes ? "expected NSET=NAME" : "expected ELSET=NAME");
-    if (of == Of::nodes && keyword.has("ELSET"))  // of the nodes of these elements, which the group of a set has
-      return add_set(set_of(Of::elements, name), Of::elements, keyword.value("ELSET"));
-    const bool numbers_of_part = !in_assembly_ || !own_nodes_ || keyword.has("INSTANCE");
+    if (of == Of::nodes && keyword.has("ELSET")) {  // of the nodes of these elements, which the group of a set has
+      std::vector<FemRange>& elements = set_of(Of::elements, name);
+      if (is_of_other(keyword.value("INSTANCE"))) return;
+      return add_set(elements, Of::elements, keyword.value("ELSET"), false);
+    }
+    const bool numbers_of_part = !in_assembly_ || in_instance_ || keyword.has("INSTANCE") || !(own_nodes_ || several_);
     std::vector<FemRange>& set = set_of(of, name);
+    if (is_of_other(keyword.value("INSTANCE"))) return;
     std::vector<FemRange> left_out;
     if (keyword.has("GENERATE")) return read_generated(numbers_of_part ? set : left_out);
     while (at_values()) {
@@ -256,21 +216,30 @@ class AbaqusReader {
         const std::string_view word = in_->peek_word();
         const std::size_t behind = word.rfind('.') + 1;  // "instance.member"
         const bool of_instance = in_assembly_ && behind > 0 && behind < word.size() && !is_digit(word[0]);
+        if (of_instance && is_of_other(std::string(word.substr(0, behind - 1)))) {
+          in_->word("a member of a set");
+          continue;
+        }
         if (of_instance) in_->seek(in_->offset() + behind);
         if (is_digit(word[of_instance ? behind : 0])) {
           const auto number = in_->number_on_line<std::int64_t>("a member of a set");
           if (numbers_of_part || of_instance) set.push_back({number, number, 1});
         } else {
-          add_set(set, of, std::string(in_->word("a set")));
+          add_set(set, of, std::string(in_->word("a set")), of_instance);
         }
       }
       in_->line();
     }
   }
 
-  void add_set(std::vector<FemRange>& set, Of of, const std::string& name) {
+  /// In files of several instances the parts and sets of the others are left out; empty: of no instance.
+  bool is_of_other(const std::string& instance) const {
+    return instance_ && !instance.empty() && !same_name(instance, instance_->name);
+  }
+
+  void add_set(std::vector<FemRange>& set, Of of, const std::string& name, bool of_instance) {
     const std::vector<FemRange>* other =
-        in_assembly_ ? mesh_.find(of, known_name(of, trimmed(name) + kOfAssembly)) : nullptr;
+        in_assembly_ && !of_instance ? mesh_.find(of, known_name(of, trimmed(name) + kOfAssembly)) : nullptr;
     if (!other) other = mesh_.find(of, known_name(of, trimmed(name)));
     if (!other || other == &set)
       in_->fail("names " + in_quotes(name), "expected a number or the name of an earlier set");
@@ -295,9 +264,7 @@ class AbaqusReader {
   }
 
   /// The placement of a part: a line with a translation, then one with two points of an axis and an angle [degrees].
-  void read_instance() {
-    if (++instances_ > 1)
-      in_->fail("is the second instance", "expected one: export the parts as one, or each in a file of its own");
+  void read_placement() {
     if (!at_values()) return;
     Eigen::Vector3d shift, from, to;
     for (int k = 0; k < 3; ++k) shift[k] = in_->coordinate_on_line("a translation");
@@ -327,7 +294,7 @@ class AbaqusReader {
     return spelled_.try_emplace({of, upper_case(name)}, name).first->second;
   }
   std::vector<FemRange>& set_of(Of of, const std::string& name) {
-    const bool taken = in_assembly_ && of_part_.contains(upper_case(name));
+    const bool taken = in_assembly_ && (several_ || of_part_.contains(upper_case(name)));
     return mesh_.set(*in_, of, known_name(of, taken ? name + kOfAssembly : name));
   }
 
@@ -352,14 +319,58 @@ class AbaqusReader {
   Eigen::Affine3d placement_ = Eigen::Affine3d::Identity();
   std::set<std::string> of_part_;                 // names of sets, in upper case
   bool in_assembly_ = false, own_nodes_ = false;  // nodes of the assembly itself
-  int parts_ = 0, instances_ = 0;
+  bool in_instance_ = false, is_independent_ = false, found_part_ = false, several_ = false;
+  const AbaqusInstance* instance_ = nullptr;  // null: the file has no more than one part and one instance
+  int parts_ = 0;
   std::size_t members_ = 0;  // that sets have from other sets
 };
+
+void note_skipped(MeshFile& file, const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNames = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) text += (i == 0 ? " " : ", ") + names[i];
+  if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames) + " more";
+  if (!names.empty()) file.notes.push_back("Instances without solid elements left out:" + text + ".");
+}
+
+/// Instances of solids, or, if there are none, of surfaces.
+void read_instances(const Scanner& in, MeshFile& file, const std::vector<AbaqusInstance>& instances,
+                    const ReadBeside& read_beside) {
+  std::vector<MeshFile> parts(instances.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Scanner again = in;
+    AbaqusReader(again, parts[i], read_beside).read_instance(instances[i], instances.size() > 1);
+  }
+  const bool solid =
+      std::any_of(parts.begin(), parts.end(), [](const MeshFile& part) { return !part.mesh.tets.empty(); });
+  std::vector<std::string> skipped;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    check_vertex_count(in, file.mesh.positions.size() + parts[i].mesh.positions.size());
+    if (solid && parts[i].mesh.tets.empty())
+      skipped.push_back(instances[i].name);
+    else if (parts.size() == 1)
+      file = std::move(parts[i]);
+    else
+      merge_mesh(file, parts[i], instances[i].name, kOfAssembly);
+    parts[i] = {};
+  }
+  note_skipped(file, skipped);
+}
 
 }  // namespace
 
 void read_abaqus(Scanner& in, MeshFile& file, const ReadBeside& read_beside) {
-  AbaqusReader(in, file, read_beside).read();
+  in.skip_commas();
+  const AbaqusOutline outline = abaqus_outline(in, read_beside);
+  if (outline.parts <= 1 && outline.instances.size() <= 1) {
+    AbaqusReader(in, file, read_beside).read();
+  } else if (outline.instances.empty()) {
+    in.fail("has " + std::to_string(outline.parts) + " parts and no *INSTANCE", "expected one for each part to read");
+  } else {
+    read_instances(in, file, outline.instances, read_beside);
+  }
+  file.format = "Abaqus";
+  finish_mesh(file, in.where());
 }
 
 }  // namespace fascia

@@ -124,7 +124,7 @@ void FemMesh::add_groups(const TagMap& node_of, const TagMap& element_of) {
   }
 }
 
-void FemMesh::finish(const std::string& where) {
+void FemMesh::build() {
   TagMap node_of, element_of;
   assign(node_of, node_numbers_, "node", first_node_);
   assign(element_of, element_numbers_, "element", first_element_);
@@ -133,7 +133,6 @@ void FemMesh::finish(const std::string& where) {
   add_groups(node_of, element_of);
   std::erase_if(file_.mesh.groups, [](const auto& group) { return group.second.empty(); });
   if (higher_order_) file_.notes.push_back(kHigherOrderNote);
-  finish_mesh(file_, where);
 }
 
 }  // namespace fascia

@@ -32,7 +32,7 @@ class FemMesh {
  public:
   explicit FemMesh(MeshFile& file) : file_(file) {}
 
-  /// `in` stands behind what is added, and must outlive this: errors about it are found in finish().
+  /// `in` stands behind what is added, and must outlive this: errors about it are found in build().
   void add_node(const Scanner& in, std::int64_t number, const Eigen::Vector3d& x);
   void add_element(const Scanner& in, const FemElement& kind, std::int64_t number, std::span<const std::int64_t> nodes,
                    int region);
@@ -45,8 +45,14 @@ class FemMesh {
   /// Gives the elements of a set this region; in the order of the calls.
   void set_region(const std::string& element_set, int region) { regions_.emplace_back(element_set, region); }
 
-  /// Throws Error for numbers that are there twice or name nothing. A range may have gaps.
-  void finish(const std::string& where);
+  /// Adds cells and groups to the file. Throws Error for numbers that are there twice or name nothing. A range may have
+  /// gaps.
+  void build();
+  /// Builds and finishes the file.
+  void finish(const std::string& where) {
+    build();
+    finish_mesh(file_, where);
+  }
 
  private:
   struct Place {

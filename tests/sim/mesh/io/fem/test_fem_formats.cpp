@@ -65,7 +65,7 @@ TEST_CASE("Abaqus: nodes, elements, sets and sections") {
   CHECK(blocks.mesh.regions == std::vector<int>{1, 2});
 }
 
-TEST_CASE("Abaqus: one part, placed by its instance; several are refused") {
+TEST_CASE("Abaqus: one part, placed by its instance") {
   const std::string part =
       "*PART, NAME=p\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT, TYPE=C3D4\n1,1,2,3,4\n*END PART\n";
   const std::string instance =
@@ -74,11 +74,6 @@ TEST_CASE("Abaqus: one part, placed by its instance; several are refused") {
   REQUIRE(file.mesh.positions.size() == 4);
   const Eigen::Vector3d expected[] = {{10, 0, 0}, {10, 1, 0}, {9, 0, 0}, {10, 0, 1}};
   for (std::size_t v = 0; v < 4; ++v) CHECK((file.mesh.positions[v] - expected[v]).norm() < 1e-12);
-  CHECK(error_of("a.inp", part + part) ==
-        "a.inp:10: *PART: is the second part; expected one: export the parts as one, or each in a file of its own");
-  CHECK(error_of("a.inp", part + instance + "*INSTANCE, NAME=j, PART=p\n") ==
-        "a.inp:16: *INSTANCE: is the second instance; expected one: export the parts as one, or each in a file of its "
-        "own");
   CHECK(read("a.inp", part + "*ELSET, ELSET=e\n1\n*NSET, NSET=n, ELSET=e\n").mesh.groups.at("n") ==
         std::vector<std::uint32_t>{0, 1, 2, 3});
 }
