@@ -1,5 +1,6 @@
 // FEBio .feb (specification 1.2 to 4.0): XML with lists of nodes, blocks of elements, and sets of both. Blocks are
 // regions: numbered from 1 and named as in the file, or by the numbers of their materials where elements state them.
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -47,7 +48,10 @@ class FebioReader {
       if (list.name == "NodeSet") read_set(list, FemMesh::Of::nodes);
       if (list.name == "ElementSet") read_set(list, FemMesh::Of::elements);
       if (list.name == "Surface") read_surface(list);
+      if (list.name == "Part" || list.name == "Instance")
+        fail_at(in_, list, "is a part that instances place", "expected nodes and elements: FEBio Studio saves those");
     }
+    for (const auto& [set, of] : joined_) read_references(*set, of);
     mesh_.finish(in_.where());
   }
 
@@ -101,6 +105,7 @@ class FebioReader {
     const int region = ++blocks_;
     bool own_regions = true;
     std::vector<std::int64_t> nodes;
+    std::vector<FemRange>* group = nullptr;  // of a block of shells, which is no region
     for (const XmlElement& element : block.children) {
       // Version 1: every element is named after its kind and states its material.
       const std::string& kind_name = type.empty() ? element.name : type;
@@ -119,37 +124,64 @@ class FebioReader {
         own_regions = false;
       }
       add_at(element, [&] { mesh_.add_element(in_, kind, id, nodes, of_element); });
+      if (kind.dimension == 3 || name.empty()) continue;
+      if (!group) group = &mesh_.set(in_, FemMesh::Of::elements, name);
+      group->push_back({id, id, 1});
     }
-    if (own_regions && !name.empty() && !block.children.empty()) file_.mesh.region_names[region] = name;
+    if (own_regions && !group && !name.empty() && !block.children.empty()) file_.mesh.region_names[region] = name;
   }
 
-  void note_reference(const std::string& set) {
-    file_.notes.push_back("Set " + in_quotes(set) + " refers to another one, whose members are left out of it.");
-  }
-
-  /// Members are elements with an id, or a text of numbers since version 4.
+  /// Members are elements with an id, or a text of numbers since version 4. Those that are other sets, which may stand
+  /// behind this one, are added at the end.
   void read_set(const XmlElement& list, FemMesh::Of of) {
     const std::string name = list.attribute("name");
     if (name.empty()) return;
     in_.seek(list.at);
     std::vector<FemRange>& set = mesh_.set(in_, of, name);
     for (const XmlElement& member : list.children) {
-      if (member.name == "node_set" || member.name == "elem_set") {
-        note_reference(name);
-        continue;
-      }
+      if (is_reference(member)) continue;
       const std::int64_t id = number(member, "id");
       set.push_back({id, id, 1});
     }
-    if (!list.children.empty()) return;
     Scanner text = text_of(list);
-    if (text.peek_word().starts_with('@')) {  // "@surface:skin"
-      return note_reference(name);
-    }
-    while (!text.at_end()) {
+    if (std::any_of(list.children.begin(), list.children.end(), is_reference) || text.peek_word().starts_with('@'))
+      return joined_.emplace_back(&list, of), void();
+    while (list.children.empty() && !text.at_end()) {
       const auto id = text.number<std::int64_t>("a member of a set");
       set.push_back({id, id, 1});
     }
+  }
+
+  static bool is_reference(const XmlElement& member) { return member.name == "node_set" || member.name == "elem_set"; }
+
+  void read_references(const XmlElement& list, FemMesh::Of of) {
+    const std::string name = list.attribute("name");
+    for (const XmlElement& member : list.children) {
+      if (is_reference(member)) add_set(list, of, name, of, member.attribute(member.name));
+    }
+    if (!list.children.empty()) return;
+    std::string_view text = in_.data().substr(list.text_begin, list.text_end - list.text_begin);  // "@surface:skin"
+    text = text.substr(text.find('@'));
+    const bool of_elements = of == FemMesh::Of::elements || text.starts_with("@elem_set:");
+    text = text.substr(std::min(text.find(':'), text.size() - 1) + 1);
+    text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
+    add_set(list, of, name, of_elements ? FemMesh::Of::elements : FemMesh::Of::nodes, std::string(text));
+  }
+
+  /// Adds the members of a set to the one of this name: nodes of its elements to a set of nodes, too.
+  void add_set(const XmlElement& list, FemMesh::Of of, const std::string& name, FemMesh::Of of_other,
+               const std::string& other) {
+    const std::vector<FemRange>* const members = mesh_.find(of_other, other);
+    if (!members || (of == of_other && name == other)) {
+      file_.notes.push_back("Set " + in_quotes(name) + " refers to " + in_quotes(other) + ", which is left out of it.");
+      return;
+    }
+    members_ += members->size();
+    if (members_ > 4 * in_.data().size())  // sets of sets can double with every line
+      fail_at(in_, list, "has sets of " + std::to_string(members_) + " members", "expected no more than four a byte");
+    in_.seek(list.at);
+    std::vector<FemRange>& set = mesh_.set(in_, of_other, name);
+    set.insert(set.end(), members->begin(), members->end());
   }
 
   /// A surface is a list of faces: the group of their nodes.
@@ -172,6 +204,8 @@ class FebioReader {
   MeshFile& file_;
   FemMesh mesh_;
   int blocks_ = 0;
+  std::vector<std::pair<const XmlElement*, FemMesh::Of>> joined_;  // sets that refer to others
+  std::size_t members_ = 0;                                        // that sets have from others
 };
 
 }  // namespace

@@ -19,8 +19,9 @@ struct FemElement {
   int dimension = 3;
   std::size_t corners = 0, nodes = 0;  // 0: a kind that is counted, not read
 
-  bool is_quadratic_tet() const { return dimension == 3 && corners == 4 && nodes == 10; }
-  std::size_t read() const { return is_quadratic_tet() ? nodes : corners; }  // of its nodes
+  /// Tets of 15 nodes have those of the faces and of the middle behind the ten.
+  bool is_quadratic_tet() const { return dimension == 3 && corners == 4 && (nodes == 10 || nodes == 15); }
+  std::size_t read() const { return is_quadratic_tet() ? 10 : corners; }  // of its nodes
 };
 
 /// The numbers `first`, `first + step`, ... up to `last`; one number if both are equal.

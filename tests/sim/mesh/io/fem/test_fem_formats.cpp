@@ -170,6 +170,41 @@ TEST_CASE("FEBio: nodes, blocks and sets of versions 2 to 4, and elements of ver
   CHECK(first.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}});
 }
 
+TEST_CASE("FEBio: sets of other sets, which may stand behind them") {
+  const auto clamp = [](const std::string& members) {
+    const MeshFile file = read("a.feb", replaced(febio, "1,2,\n3", members));
+    return std::pair(file.mesh.groups.contains("clamp") ? file.mesh.groups.at("clamp") : std::vector<std::uint32_t>(),
+                     file.notes);
+  };
+  using Result = std::pair<std::vector<std::uint32_t>, std::vector<std::string>>;
+  CHECK(clamp("@surface:skin") == Result({0, 1, 2}, {}));
+  CHECK(clamp(" @elem_set:one\n") == Result({1, 2, 3, 4}, {}));
+  CHECK(clamp("<n id=\"1\"/><node_set node_set=\"tip\"/>") == Result({0, 4}, {}));
+  CHECK(clamp("@part_list:none") == Result({}, {"Set 'clamp' refers to 'none', which is left out of it."}));
+  CHECK(clamp("<n id=\"1\"/><node_set node_set=\"clamp\"/>") ==
+        Result({0}, {"Set 'clamp' refers to 'clamp', which is left out of it."}));
+}
+
+TEST_CASE("FEBio: tets of fifteen nodes keep ten, and blocks of shells beside solids are groups") {
+  const std::string text =
+      "<febio_spec version=\"4.0\"><Mesh><Nodes name=\"all\"><node id=\"101\">0,0,0</node><node id=\"102\">2,0,0</node>"
+      "<node id=\"103\">0,2,0</node><node id=\"104\">0,0,2</node><node id=\"105\">1,0,0</node><node "
+      "id=\"106\">1,1,0</node><node id=\"107\">0,1,0</node><node id=\"108\">0,0,1</node><node id=\"109\">1,0,1</node>"
+      "<node id=\"110\">0,1,1</node><node id=\"111\">.7,.7,0</node><node id=\"112\">.7,0,.7</node><node "
+      "id=\"113\">.7,.7,.7</node><node id=\"114\">0,.7,.7</node><node id=\"115\">.5,.5,.5</node></Nodes>"
+      "<Elements type=\"tet15\" name=\"Part1\"><elem "
+      "id=\"1\">101,102,103,104,105,106,107,108,109,110,111,112,113,114,115</elem></Elements>"
+      "<Elements type=\"tri3\" name=\"Plate\"><elem id=\"2\">101,102,103</elem></Elements></Mesh>"
+      "<MeshDomains><SolidDomain name=\"Part1\" mat=\"m\"/><ShellDomain name=\"Plate\" mat=\"m\"/></MeshDomains>"
+      "</febio_spec>";
+  const MeshFile file = read("a.feb", text);
+  CHECK(file.mesh.tets == std::vector<Tet>{{0, 1, 2, 3}});
+  CHECK(file.mid_edges == std::vector<MidEdges>{{4, 5, 6, 7, 8, 9}});
+  CHECK(file.mesh.region_names == std::map<int, std::string>{{1, "Part1"}});
+  CHECK(file.mesh.groups.at("Part1") == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(file.mesh.groups.at("Plate") == std::vector<std::uint32_t>{0, 1, 2});
+}
+
 TEST_CASE("FEBio: bad files") {
   const auto feb_error = [](const std::string& from, const std::string& to) {
     return error_of("a.feb", replaced(febio, from, to));
@@ -186,11 +221,8 @@ TEST_CASE("FEBio: bad files") {
   CHECK(feb_error("1,2,\n3", "1,2,\n9").find("set 'clamp' names node 9") != std::string::npos);
   CHECK(feb_error("1,2,\n3", "1,2,<!-- c -->3") ==
         "a.feb:17: NodeSet: has a comment in its text; expected numbers alone");
-  CHECK(read("a.feb", replaced(febio, "1,2,\n3", "@surface:skin")).notes ==
-        std::vector<std::string>{"Set 'clamp' refers to another one, whose members are left out of it."});
-  CHECK(
-      read("a.feb", replaced(febio, "1,2,\n3", "<n id=\"1\"/><node_set node_set=\"tip\"/>")).mesh.groups.at("clamp") ==
-      std::vector<std::uint32_t>{0});
+  CHECK(feb_error("<NodeSet name=\"tip\">", "<Part name=\"p\"></Part><NodeSet name=\"tip\">") ==
+        "a.feb:19: Part: is a part that instances place; expected nodes and elements: FEBio Studio saves those");
   CHECK(feb_error("<Mesh>", "<Mesh from=\"other.feb\">") ==
         "a.feb:4: Mesh: is in another file, 'other.feb'; expected it in this one");
   CHECK(error_of("a.feb", "<febio_spec version=\"4.0\"></febio_spec>") ==
