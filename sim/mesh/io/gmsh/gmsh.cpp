@@ -86,11 +86,12 @@ void GmshReader::read_format() {
   const std::string_view version = in_.word("the version");
   if (version.starts_with("2") && (version.size() == 1 || (version[1] == '.' && version <= "2.2"))) {
     major_ = 2;
-  } else if (version == "4.1") {
+  } else if (version == "4.1" || version == "4.0" || version == "4") {
     major_ = 4;
+    is_40_ = version != "4.1";
   } else {
     in_.fail("is Gmsh format version " + in_quotes(version),
-             "expected 1.0, 2.0 to 2.2 or 4.1; 'gmsh FILE -save -format msh41' converts");
+             "expected 1.0, 2.0 to 2.2, 4.0 or 4.1; 'gmsh FILE -save -format msh41' converts");
   }
   const int file_type = in_.number<int>("the file type");
   if (file_type != 0 && file_type != 1)

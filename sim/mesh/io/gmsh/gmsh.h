@@ -59,8 +59,12 @@ class GmshReader {
   void read_elements_4();
 
   // Version 4 files are the same sequence of numbers in text and in binary.
-  std::int64_t integer(const char* what);  // int in binary
-  std::uint64_t size(const char* what);    // size_t in binary
+  std::int64_t integer(const char* what);   // int in binary
+  std::uint64_t size(const char* what);     // size_t in binary
+  std::int64_t mesh_tag(const char* what);  // of a node or an element
+  std::size_t tag_bytes() const { return is_40_ ? sizeof(std::int32_t) : static_cast<std::size_t>(size_bytes_); }
+  /// Dimension and number of the entity of a block.
+  std::pair<std::int64_t, std::int64_t> block_entity(const char* dimension, const char* entity);
   double real(const char* what);
   double coordinate(const char* what);
 
@@ -77,6 +81,7 @@ class GmshReader {
   bool binary_ = false;
   int size_bytes_ = 8;  // of a size_t in a binary version 4 file
   int major_ = 1;
+  bool is_40_ = false;
   bool line_each_ = false;  // every entity of a version 4 text file ends with its line
   bool has_format_ = false, has_nodes_ = false, has_elements_ = false, second_order_ = false;
   std::size_t nodes_at_ = 0;  // offset of the list

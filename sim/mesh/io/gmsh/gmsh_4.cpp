@@ -1,4 +1,6 @@
-// Gmsh .msh 4.1: nodes and elements in blocks by geometric entity; the entities have the physical tags.
+// Gmsh .msh 4.1 and 4.0: nodes and elements in blocks by geometric entity; the entities have the physical tags. Version
+// 4.0 has a box for points, too, no smallest and largest tags, the entity of a block before its dimension, and the tag
+// of a node, an int, before its coordinates.
 #include <array>
 
 #include "base/error.h"
@@ -14,6 +16,15 @@ std::int64_t GmshReader::integer(const char* what) {
 std::uint64_t GmshReader::size(const char* what) {
   if (!binary_) return line_each_ ? in_.number_on_line<std::uint64_t>(what) : in_.number<std::uint64_t>(what);
   return size_bytes_ == 8 ? in_.binary<std::uint64_t>(what) : in_.binary<std::uint32_t>(what);
+}
+
+std::int64_t GmshReader::mesh_tag(const char* what) {
+  return is_40_ ? integer(what) : static_cast<std::int64_t>(size(what));
+}
+
+std::pair<std::int64_t, std::int64_t> GmshReader::block_entity(const char* dimension, const char* entity) {
+  const std::int64_t first = integer(is_40_ ? entity : dimension), second = integer(is_40_ ? dimension : entity);
+  return is_40_ ? std::pair(second, first) : std::pair(first, second);
 }
 
 double GmshReader::real(const char* what) {
@@ -34,7 +45,7 @@ void GmshReader::read_entity_4(int dimension, bool partitioned) {
     in_.check_count(partitions, "partitions of an entity", binary_ ? 4 : 2);
     for (std::uint64_t i = 0; i < partitions; ++i) integer("a partition");
   }
-  for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) real("a bound of an entity");
+  for (int i = 0; i < (dimension == 0 && !is_40_ ? 3 : 6); ++i) real("a bound of an entity");
   const std::uint64_t count = size("a number of physical tags");
   in_.check_count(count, "physical tags of an entity", binary_ ? 4 : 2);
   if (count > 0) physicals.clear();
@@ -121,29 +132,29 @@ void GmshReader::read_nodes_4() {
   if (binary_) in_.end_line("$Nodes");
   const std::uint64_t blocks = size("the number of node blocks");
   const std::uint64_t count = size("the number of nodes");
-  in_.check_count(count, "nodes", binary_ ? 24 + static_cast<std::size_t>(size_bytes_) : 8);
+  in_.check_count(count, "nodes", binary_ ? 24 + tag_bytes() : 8);
   begin_nodes(count);
-  size("the smallest node tag");
-  size("the largest node tag");
+  for (int i = 0; i < 2 && !is_40_; ++i) size("the smallest and largest node tag");
   std::vector<std::int64_t> tags;
   tags.reserve(count);
   for (std::uint64_t b = 0; b < blocks; ++b) {
-    const std::int64_t dimension = integer("the dimension of a node block");
+    const std::int64_t dimension = block_entity("the dimension of a node block", "the entity of a node block").first;
     if (dimension < 0 || dimension > 3)
       in_.fail("dimension of a node block is " + std::to_string(dimension), "expected 0 to 3");
-    integer("the entity of a node block");
     const bool parametric = integer("the parametric flag of a node block") != 0;
     const std::uint64_t in_block = size("the number of nodes of a block");
     if (in_block > count - tags.size()) {
       in_.fail("block of " + std::to_string(in_block) + " nodes",
                "expected at most " + std::to_string(count - tags.size()));
     }
-    for (std::uint64_t i = 0; i < in_block; ++i) tags.push_back(static_cast<std::int64_t>(size("a node tag")));
+    const std::int64_t parameters = !parametric || (is_40_ && dimension == 3) ? 0 : dimension;
+    for (std::uint64_t i = 0; i < in_block && !is_40_; ++i) tags.push_back(mesh_tag("a node tag"));
     for (std::uint64_t i = 0; i < in_block; ++i) {
+      if (is_40_) tags.push_back(mesh_tag("a node tag"));
       Eigen::Vector3d x;
       for (int k = 0; k < 3; ++k) x[k] = coordinate("a node coordinate");
       file_.mesh.positions.push_back(x);
-      for (std::int64_t k = 0; parametric && k < dimension; ++k) real("a parametric coordinate");
+      for (std::int64_t k = 0; k < parameters; ++k) real("a parametric coordinate");
     }
   }
   if (tags.size() != count) {
@@ -158,14 +169,13 @@ void GmshReader::read_elements_4() {
   if (binary_) in_.end_line("$Elements");
   const std::uint64_t blocks = size("the number of element blocks");
   const std::uint64_t count = size("the number of elements");
-  in_.check_count(count, "elements", binary_ ? 2 * static_cast<std::size_t>(size_bytes_) : 4);
-  size("the smallest element tag");
-  size("the largest element tag");
+  in_.check_count(count, "elements", binary_ ? 2 * tag_bytes() : 4);
+  for (int i = 0; i < 2 && !is_40_; ++i) size("the smallest and largest element tag");
   std::array<std::int64_t, gmsh_max_nodes> nodes{};
   std::uint64_t done = 0;
   for (std::uint64_t b = 0; b < blocks; ++b) {
-    const auto dimension = static_cast<int>(integer("the dimension of an element block"));
-    const auto entity = static_cast<int>(integer("the entity of an element block"));
+    const auto block = block_entity("the dimension of an element block", "the entity of an element block");
+    const auto dimension = static_cast<int>(block.first), entity = static_cast<int>(block.second);
     const auto number = static_cast<int>(integer("an element type"));
     const GmshElementType type = gmsh_element_type(number);
     if (type.dimension < 0) in_.fail("element type is " + std::to_string(number), "expected a Gmsh element type");
@@ -183,8 +193,8 @@ void GmshReader::read_elements_4() {
         found != entity_physicals_.end() ? std::span<const int>(found->second) : std::span<const int>();
     const auto node_count = static_cast<std::size_t>(type.nodes);
     for (std::uint64_t e = 0; e < in_block; ++e) {
-      const auto element = static_cast<std::int64_t>(size("an element tag"));
-      for (std::size_t i = 0; i < node_count; ++i) nodes[i] = static_cast<std::int64_t>(size("a node of an element"));
+      const std::int64_t element = mesh_tag("an element tag");
+      for (std::size_t i = 0; i < node_count; ++i) nodes[i] = mesh_tag("a node of an element");
       add_element(type, element, physicals, {nodes.data(), node_count});
     }
     done += in_block;

@@ -63,8 +63,9 @@ TEST_CASE("Gmsh: sections that are not about the mesh are skipped, wherever they
 }
 
 TEST_CASE("Gmsh: bad sections and headers", "[mesh_io]") {
-  CHECK(v2_error("2.2 0 8", "4 0 8") ==
-        "m.msh:2: $MeshFormat: is Gmsh format version '4'; expected 1.0, 2.0 to 2.2 or 4.1; 'gmsh FILE -save -format "
+  CHECK(v2_error("2.2 0 8", "3 0 8") ==
+        "m.msh:2: $MeshFormat: is Gmsh format version '3'; expected 1.0, 2.0 to 2.2, 4.0 or 4.1; 'gmsh FILE -save "
+        "-format "
         "msh41' converts");
   CHECK(v2_error("2.2 0 8", "2.2 7 8") == "m.msh:2: $MeshFormat: the file type is 7; expected 0 (ASCII) or 1 (binary)");
   CHECK(v2_error("2.2 0 8", "2.2 0 4") == "m.msh:2: $MeshFormat: the data size is 4; expected 8");
