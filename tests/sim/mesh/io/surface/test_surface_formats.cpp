@@ -219,7 +219,6 @@ TEST_CASE("OFF: its freedoms, and bad files") {
   CHECK(reads(replaced(text, "OFF # surface\n", "")) == 4);     // without a keyword
   CHECK(reads(replaced(text, "4 4 0\n", "4 4\n")) == 4);        // without the edges
   CHECK(reads(replaced(replaced(text, "4 4 0", "4 3 0"), "3 0 2 1 255 0 0\n3 0 1 3", "4 0 2 1 3")) == 3);
-  CHECK(off_error("OFF", "OFF BINARY") == "a.off:2: is binary OFF; expected OFF in text");
   CHECK(off_error("OFF", "4OFF") == "a.off:2: begins with '4OFF'; expected OFF of three dimensions");
   CHECK(off_error("1 0 0\n", "1 0 0 9\n") ==
         "a.off:5: '9' follows the vertex coordinates; expected the end of the line");
@@ -230,4 +229,31 @@ TEST_CASE("OFF: its freedoms, and bad files") {
   CHECK(off_error("4 4 0", "4 3 0") == "a.off:11: something follows the last of 3 faces; expected the end of the file");
   CHECK(off_error("4 4 0", "4 4000000000000 0") ==
         "a.off:3: claims 4000000000000 faces but only 93 bytes follow; expected a complete file");
+}
+
+TEST_CASE("OFF: binary files of either byte order, with colors and normals") {
+  const auto off = [](bool big_endian, const std::string& keyword, std::size_t behind, std::int32_t last) {
+    Bytes out(big_endian);
+    out.add_text(keyword + " BINARY\n").add_all(std::vector<std::int32_t>{4, 4, 0});
+    for (const std::vector<float>& x : {std::vector<float>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+      out.add_all(x).add_all(std::vector<float>(behind, .5f));
+    for (const std::vector<std::int32_t>& face : {std::vector<std::int32_t>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}})
+      out.add(std::int32_t{3}).add_all(face).add(std::int32_t{0});
+    out.add(std::int32_t{3}).add_all(std::vector<std::int32_t>{1, 2, last});
+    return out.add(std::int32_t{1}).add(.5f).text;
+  };
+  for (const bool big_endian : {true, false}) {
+    for (const auto& [keyword, behind] : {std::pair("OFF", 0), std::pair("CNOFF", 7), std::pair("STOFF", 2)}) {
+      const std::string content = off(big_endian, keyword, static_cast<std::size_t>(behind), 3);
+      const MeshFile file = read_mesh_content("a.off", content);
+      CHECK(file.format == "OFF binary");
+      CHECK(file.mesh.positions == std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+      CHECK(file.faces.corners == std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+      for (std::size_t length = 11; length < content.size(); ++length)
+        CHECK(!error_of("a.off", content.substr(0, length)).empty());
+    }
+  }
+  CHECK(error_of("a.off", off(true, "OFF", 0, 4)) == "a.off: byte 143: face 3 names vertex 4; expected 0 to 3");
+  CHECK(error_of("a.off", off(true, "OFF", 0, 3) + "xx") ==
+        "a.off: byte 155: something follows the last of 4 faces; expected the end of the file");
 }
