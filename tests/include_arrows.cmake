@@ -76,7 +76,7 @@ set(arrows
   "app/overlay: base sim/grab sim/scene/settings sim/tool render/passes render/view app/charts app/panels app/session app/ui"
   "app/panels: base gl sim/fit sim/material sim/replay render/view app/session app/state app/system app/ui"
   "app/refine: base gl sim/accuracy sim/grab sim/output sim/reference sim/scene sim/simulation"
-  "app/session: base base/json gl sim/bare_mesh sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
+  "app/session: base base/json gl sim/bare_mesh sim/gpu/readback sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/visual render render/context render/target render/view app/cli app/system app/ui"
   "app/state: shaders/shared sim/contact sim/fit sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/scene/tools sim/simulation app/session app/ui app/video"
   "app/stress: base sim/bare_mesh sim/contact sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
   "app/system: base"

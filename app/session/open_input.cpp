@@ -12,6 +12,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "sim/bare_mesh/settled_model.h"
+#include "sim/mesh/io/mesh_io.h"
 #include "sim/replay/replay_time.h"
 #include "sim/scene/scene_paths.h"
 
@@ -55,6 +56,7 @@ std::vector<std::filesystem::path> input_files(const Scene& scene) {
 }
 
 Scene open_scene_or_input(const std::filesystem::path& path, const std::vector<std::string>& sets) {
+  if (lower_ending(path) == ".gltf") read_mesh(path);  // JSON that is no scene: the error names the program that helps
   if (path != kStandardInput) return open_scene(path, sets);
   constexpr const char* kName = "standard input";  // without a folder: paths are relative to the working folder
   if (read_standard_input().empty()) throw Error(kName, "is empty", "expected a scene (JSON)");

@@ -67,3 +67,11 @@ TEST_CASE("a surface without an inside and one of several million tets are refus
   CHECK(result.exit_code == 2);
   CHECK_THAT(result.err, Catch::Contains("2 to 256"));
 }
+
+TEST_CASE("info names the program that converts a glTF file, which is JSON like a scene") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "a.gltf") << "{\"asset\": {\"version\": \"2.0\"}}";
+  const CommandResult info = run_fascia({"info", "a.gltf"}, folder.path());
+  CHECK(info.exit_code == 1);
+  CHECK(info.err.find("a.gltf: is a glTF scene, which fascia does not read; Blender imports it") != std::string::npos);
+}
