@@ -137,7 +137,8 @@ PairSearch::Facing PairSearch::facing_of(const Beside& beside, std::uint32_t tri
   const Triangle& t = triangles_[triangle];
   const Vector3d &n = beside.normal, &own = normals_[triangle];
   const auto is_aside = [&](const Vector3d& other) {
-    return own.dot(other) < kFolded && n.dot(own) < kAside && n.dot(other) > std::max(0.0, n.dot(own));
+    return beside.distance > kGrazed * skin_ && own.dot(other) < kFolded && n.dot(own) < kAside &&
+           n.dot(other) > std::max(0.0, n.dot(own));
   };
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(k);
