@@ -154,6 +154,19 @@ void PairSearch::look_at(const std::vector<Vector3d>& end) {
   fit_trees(boxes, {});
 }
 
+// Whether an edge began inside another body, in whole or in part: it may leave.
+bool PairSearch::began_inside(const TissueEdge& edge, std::uint32_t body) const {
+  const Vector3d &from = start_[edge.from], &to = start_[edge.to];
+  const Vector3d far = from + 1e3 * edge_ * Vector3d(0.531, 0.647, 0.547);
+  int passed = 0;
+  for (const std::uint32_t k : trees_[body].triangles) {
+    const Triangle& t = triangles_[k];
+    if (goes_through(from, to, start_[t[0]], start_[t[1]], start_[t[2]])) return true;
+    passed += goes_through(from, far, start_[t[0]], start_[t[1]], start_[t[2]]);
+  }
+  return passed % 2 != 0;
+}
+
 template <class F>
 void PairSearch::for_new_cuts(F&& found) const {
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
@@ -164,8 +177,8 @@ void PairSearch::for_new_cuts(F&& found) const {
       if (may_touch(own, body) && (near || body != own))
         for_cuts(e, body, end_, [&](std::uint32_t triangle) {
           const Triangle& t = triangles_[triangle];
-          if (!goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]]))
-            found(e, triangle);
+          if (goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]])) return;
+          if (body == own || !began_inside(edge, body)) found(e, triangle);
         });
   }
 }

@@ -113,6 +113,7 @@ class PairSearch {
   bool press_harder(const PairRow& row);
   double depth_of(const PairRow& row) const;  // at end_ [m]
   bool turned(const PairRow& row) const;
+  bool began_inside(const TissueEdge& edge, std::uint32_t body) const;
   bool all_held(const std::array<std::uint32_t, 4>& vertices) const;
   std::uint32_t guard_of_vertex(std::uint32_t vertex) const;
   std::uint32_t guard_of_edge(std::uint32_t edge) const {

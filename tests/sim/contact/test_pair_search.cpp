@@ -204,6 +204,17 @@ TEST_CASE("what a solution leads through each other is guarded until it no longe
 }
 
 // A solution that no search has mended: the upper box sinks in by 7 mm, and both move sideways.
+TEST_CASE("edges of a body that begins in another one may leave", "[contact]") {
+  const Model model = test::beside(box(), test::moved(box(3), {0.02, kSize - 0.01, 0.013}), "upper");
+  PairSearch search(model);
+  found(search, model, {0, 0, 0});
+  std::vector<Vector3d> end = nowhere(model);  // one side is out, the other is still in
+  for (std::uint32_t v = model.bodies[1].vertex_begin; v < end.size(); ++v)
+    end[v].y() = 0.1 * (model.rest_positions[v].x() - 0.02);
+  search.misses(end);
+  CHECK_FALSE(search.cuts());
+}
+
 TEST_CASE("bodies that a solution leaves in each other are taken back, with their momentum", "[contact]") {
   Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.003, 0.01}), "upper");
   const std::vector<double> masses = lumped_masses(model);
