@@ -4,7 +4,7 @@
 #include <random>
 
 #include "sim/material/symmetric_eigen.h"
-#include "sim/reference/elastic_system.h"
+#include "sim/reference/mass_matrix.h"
 
 namespace fascia {
 namespace {
@@ -19,23 +19,25 @@ Eigen::VectorXd natural_frequencies(const Model& model, int count) {
   const reference::ElasticSystem system(model);
   const VectorXd rest = VectorXd::Zero(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
   reference::SparseMatrix stiffness = system.empty_hessian();
-  VectorXd scale, mass(rest.size());
+  VectorXd scale;
   system.assemble(rest, {}, false, stiffness, scale);
   reference::Cholesky cholesky(stiffness, system.elimination_tree());
   if (!cholesky.factorize(stiffness)) return {};
-  const std::vector<double> masses = lumped_masses(model);
-  for (std::size_t v = 0; v < masses.size(); ++v)
-    mass.segment<3>(3 * static_cast<Eigen::Index>(v)).setConstant(masses[v]);
-  const VectorXd m = system.free_part(mass);
-  const Eigen::Index columns = std::min<Eigen::Index>(count + kGuards, m.size());
+  const reference::MassMatrix masses(model);
+  reference::SparseMatrix upper = system.empty_hessian();
+  upper.diagonal() += system.free_part(masses.own());
+  masses.add_coupled(1, system, upper);
+  const auto mass = upper.selfadjointView<Eigen::Upper>();
+  const Eigen::Index columns = std::min<Eigen::Index>(count + kGuards, upper.rows());
   std::mt19937 random(33);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  MatrixXd basis = MatrixXd::NullaryExpr(m.size(), columns, [&] { return uniform(random); });
+  MatrixXd basis = MatrixXd::NullaryExpr(upper.rows(), columns, [&] { return uniform(random); });
   VectorXd values;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    MatrixXd next(m.size(), columns);
-    for (Eigen::Index c = 0; c < columns; ++c) next.col(c) = cholesky.solve(m.cwiseProduct(basis.col(c)));
-    const MatrixXd k = next.transpose() * m.asDiagonal() * basis, n = next.transpose() * m.asDiagonal() * next;
+    MatrixXd next(upper.rows(), columns);
+    const MatrixXd moved = mass * basis;
+    for (Eigen::Index c = 0; c < columns; ++c) next.col(c) = cholesky.solve(moved.col(c));
+    const MatrixXd k = next.transpose() * moved, n = next.transpose() * (mass * next);
     const SymmetricEigen eigen = symmetric_eigen(0.5 * (k + k.transpose()), n);
     values = eigen.values;
     basis = next * eigen.vectors;

@@ -86,6 +86,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   const bool strains_first = buffers_.earlier_displacement && features_.damping;
   if (strains_first) append(passes.begin, strains_at_start(r));
   passes.begin.push_back(prediction(programs_, buffers_, method_->copy_begin(), start(), active));
+  if (buffers_.has_quadratic()) passes.begin.push_back(centroid_prediction(r));
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping && !strains_first) append(passes.begin, strains_at_start(r));
   if (contact_.searches()) {

@@ -27,7 +27,7 @@ struct IntegratorStage {
   Vector predicted(const Vector& u, const Vector& v, const Vector& gravity) const {
     return u + length * v + length * length * gravity;
   }
-  /// M / l^2 [kg/s^2], which weights the distance to u~.
+  /// M / l^2 [kg/s^2], which weights the distance to u~; `mass`: the diagonal of M, or M times a distance.
   Vector inertia(const Vector& mass) const { return mass / (length * length); }
   /// v [m/s] at the end of the stage, from u there and u*.
   Vector velocity(const Vector& u, const Vector& start) const { return (u - start) / length; }

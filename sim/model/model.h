@@ -121,6 +121,14 @@ Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 /// sim/elements/quadratic_tet.h of each quadratic one. Zero for unreferenced vertices.
 std::vector<double> lumped_masses(const Model& model);
 
+/// What moves with which velocity: 1/2 sum own |v|^2 + 1/2 sum centroid |mean of v in the middles of the tet|^2 is the
+/// kinetic energy (sim/elements/quadratic_tet.h).
+struct MovingMasses {
+  std::vector<double> own;       // [vertex_count] [kg]; lumped, but for middles of quadratic tets
+  std::vector<double> centroid;  // [tet_count] [kg]; 0 in linear tets; empty if all are linear
+};
+MovingMasses moving_masses(const Model& model);
+
 /// FNV-1a 64 over vertex positions, tet indices and those of mid-edge vertices: identifies the mesh in provenance
 /// stamps.
 std::uint64_t mesh_hash(const TetMesh& mesh);

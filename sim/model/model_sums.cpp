@@ -8,19 +8,40 @@
 
 namespace fascia {
 
-std::vector<double> lumped_masses(const Model& model) {
+namespace {
+
+double mass_of_tet(const Model& model, std::size_t t) {
+  const Tet& tet = model.tets[t];
+  const auto& x = model.rest_positions;
+  const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
+  return model.materials[model.tet_material[t]].density * volume;
+}
+
+// `of_middle`: its share of the mass of a quadratic tet.
+std::vector<double> masses_of_vertices(const Model& model, double of_middle) {
   std::vector<double> masses(model.rest_positions.size(), 0.0);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const Tet& tet = model.tets[t];
-    const auto& x = model.rest_positions;
-    const double volume = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) / 6;
-    const double mass = model.materials[model.tet_material[t]].density * volume;
+    const double mass = mass_of_tet(model, t);
     const bool quadratic = model.is_quadratic(t);
     const double corner = quadratic ? QuadraticTet::kCornerMass * mass : mass / 4;
-    for (const std::uint32_t vertex : tet) masses[vertex] += corner;
+    for (const std::uint32_t vertex : model.tets[t]) masses[vertex] += corner;
     if (!quadratic) continue;
-    for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += QuadraticTet::kMidEdgeMass * mass;
+    for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += of_middle * mass;
   }
+  return masses;
+}
+
+}  // namespace
+
+std::vector<double> lumped_masses(const Model& model) {
+  return masses_of_vertices(model, QuadraticTet::kMidEdgeMass);
+}
+
+MovingMasses moving_masses(const Model& model) {
+  MovingMasses masses{masses_of_vertices(model, QuadraticTet::kOwnMidEdgeMass), {}};
+  if (!model.has_quadratic()) return masses;
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    masses.centroid.push_back(model.is_quadratic(t) ? QuadraticTet::kCentroidMass * mass_of_tet(model, t) : 0);
   return masses;
 }
 

@@ -85,14 +85,26 @@ Measures measure(const Model& model, const State& state) {
   Measures result;
   double strain2 = 0, volume = 0, growth = 0;
   const std::vector<double> mass = lumped_masses(model);
+  const MovingMasses moving = moving_masses(model);
   const std::vector<char> held = model.held();
-  for (std::size_t v = 0; v < mass.size(); ++v) {
-    const Vector3d position = model.rest_positions[v] + state.displacement[v];
-    const Vector3d momentum = mass[v] * state.velocity[v];
-    result.kinetic += 0.5 * momentum.dot(state.velocity[v]);
-    result.gravitational -= mass[v] * model.gravity.dot(state.displacement[v]);
+  const auto add_motion = [&](double of, const Vector3d& position, const Vector3d& velocity) {
+    const Vector3d momentum = of * velocity;
+    result.kinetic += 0.5 * momentum.dot(velocity);
     result.momentum += momentum;
     result.angular_momentum += position.cross(momentum);
+  };
+  for (std::size_t t = 0; t < moving.centroid.size(); ++t) {
+    if (moving.centroid[t] == 0) continue;
+    Vector3d position(0, 0, 0), velocity(0, 0, 0);
+    for (const std::uint32_t v : model.mid_edges[t]) {
+      position += (model.rest_positions[v] + state.displacement[v]) / 6;
+      velocity += state.velocity[v] / 6;
+    }
+    add_motion(moving.centroid[t], position, velocity);
+  }
+  for (std::size_t v = 0; v < mass.size(); ++v) {
+    add_motion(moving.own[v], model.rest_positions[v] + state.displacement[v], state.velocity[v]);
+    result.gravitational -= mass[v] * model.gravity.dot(state.displacement[v]);
     if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
   }
   for (std::size_t t = 0; t < model.tets.size(); ++t) {

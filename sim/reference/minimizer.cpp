@@ -39,6 +39,14 @@ Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd&
       motion[i] = potential.inertia[i] * (u[i] - potential.start[i]);
     }
   }
+  if (potential.coupled.acts()) {
+    const VectorXd distance = u - potential.coupled.predicted, inertial = potential.coupled.force(distance);
+    const double kinetic = 0.5 * inertial.dot(distance);
+    value.energy += kinetic;
+    value.magnitude += kinetic;
+    gradient += inertial;
+    motion += potential.coupled.force(u - potential.start);
+  }
   double contact = 0;  // [N]
   if (potential.contact) {
     VectorXd forces = VectorXd::Zero(u.size());
@@ -60,15 +68,18 @@ void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
   for (const bool project : {false, true}) {
     system_.assemble(u, potential.viscous, project, hessian_, scale);
     hessian_.diagonal() += inertia;
+    if (potential.coupled.acts()) potential.coupled.mass->add_coupled(potential.coupled.factor, system_, hessian_);
     if (potential.contact) add_contact(*potential.contact, u, project, scale);
     coupled_.reset();
     if (potential.contact && !potential.contact->pairs().empty()) couple(potential.contact->pairs(), u, scale);
     if (!project) {
       scale += potential.inertia.cwiseProduct(u.cwiseAbs() + potential.target.cwiseAbs()) + potential.force.cwiseAbs();
+      if (potential.coupled.acts())
+        scale += potential.coupled.force(u.cwiseAbs() + potential.coupled.predicted.cwiseAbs());
       rounding_ = epsilon * system_.free_part(scale).norm();
     }
     if (!factorize_sum()) continue;
-    if (!project && !potential.contact) factored_ = {potential.inertia, potential.viscous.h};
+    if (!project && !potential.contact) factored_ = {potential.inertia, potential.coupled.factor, potential.viscous.h};
     return;
   }
   // Still singular: a body without constraints. A growing multiple of the identity gives a usable step.
@@ -103,7 +114,7 @@ void Minimizer::couple(const PairEnergy& pairs, const VectorXd& u, VectorXd& sca
 }
 
 bool Minimizer::has_factor_of(const Potential& potential) const {
-  return !potential.contact && factored_.length == potential.viscous.h &&
+  return !potential.contact && factored_.length == potential.viscous.h && factored_.coupled == potential.coupled.factor &&
          factored_.inertia.size() == potential.inertia.size() && factored_.inertia == potential.inertia;
 }
 
@@ -141,8 +152,9 @@ void Minimizer::move_held(const Potential& potential, const VectorXd& change, Ve
     return;
   }
   factorize(potential, u);
-  const VectorXd dragged = system_.free_part(system_.hessian_times(u, potential.viscous, change));
-  const VectorXd direction = -solve(evaluate(potential, u).gradient + dragged);
+  VectorXd dragged = system_.hessian_times(u, potential.viscous, change);
+  if (potential.coupled.acts()) dragged += potential.coupled.force(change);
+  const VectorXd direction = -solve(evaluate(potential, u).gradient + system_.free_part(dragged));
   u += change;
   VectorXd taken_along = u;
   system_.add_to_free(direction, 1, taken_along);

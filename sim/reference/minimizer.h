@@ -1,7 +1,7 @@
 // Newton's method with backtracking for the problem that a time step and a static equilibrium have in common:
 //
 //   minimize over the free u:  sum_e V_e Psi_e(u) + contact(u) + 1/2 (u - target)^T diag(inertia) (u - target)
-//                              - force . u
+//                              + 1/2 (u - predicted)^T coupled (u - predicted) - force . u
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -10,18 +10,30 @@
 
 #include "sim/contact/contact_energy.h"
 #include "sim/reference/elastic_system.h"
+#include "sim/reference/mass_matrix.h"
 #include "sim/reference/newton.h"
 
 namespace fascia::reference {
 
+/// What moves at the centroids of quadratic tets (MassMatrix): `coupled` is its part of M / h^2.
+struct CoupledInertia {
+  const MassMatrix* mass = nullptr;
+  double factor = 0;          // 1 / h^2 [1/s^2]
+  Eigen::VectorXd predicted;  // u~ [3 * vertex_count], also of constrained vertices [m]
+
+  bool acts() const { return mass && factor > 0 && !mass->is_diagonal(); }
+  Eigen::VectorXd force(const Eigen::VectorXd& distance) const { return factor * mass->coupled_times(distance); }
+};
+
 /// Arrays are [3 * vertex_count]; entries of constrained vertices are not used.
 struct Potential {
   ViscousStep viscous;
-  Eigen::VectorXd inertia;  // m / h^2 [N/m]; zero in statics
+  Eigen::VectorXd inertia;  // m / h^2 of the vertices' own masses [N/m]; zero in statics
   Eigen::VectorXd target;   // u~ [m]
   Eigen::VectorXd start;    // u_n [m]; inertia * (u - start) is the force that would stop the motion
   Eigen::VectorXd force;    // [N]
   std::shared_ptr<const ContactEnergy> contact = nullptr;
+  CoupledInertia coupled = {};
 };
 
 class Minimizer {
@@ -69,7 +81,8 @@ class Minimizer {
   SparseMatrix coupled_hessian_;
   struct Factored {
     Eigen::VectorXd inertia;
-    double length = 0;  // [s] ViscousStep::h
+    double coupled = 0;  // CoupledInertia::factor
+    double length = 0;   // [s] ViscousStep::h
   };
   Factored factored_;    // what the factor is of, without contact and unprojected; else empty
   double rounding_ = 0;  // [N] bound on the rounding of the gradient at the last factorization

@@ -68,6 +68,7 @@ struct NewtonSolver::Impl {
         system(model),
         minimizer(system),
         mass(per_component(lumped_masses(model))),
+        moving(model),
         gravity(model.gravity.replicate(model.rest_positions.size(), 1)),
         contact(make_contact_surface(model)),
         penalty(contact_stiffness(model, contact)),
@@ -140,7 +141,8 @@ struct NewtonSolver::Impl {
   std::vector<GrabSpring> springs;
   const ElasticSystem system;
   Minimizer minimizer;
-  const VectorXd mass;     // [3 * vertex_count] [kg]
+  const VectorXd mass;     // lumped [3 * vertex_count] [kg]
+  const MassMatrix moving;
   const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
@@ -203,8 +205,9 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   const VectorXd earlier = flat(state.earlier.displacement);
   const VectorXd start = stage.extrapolated(old, earlier);
   Potential potential;
-  potential.inertia = stage.inertia(mass);
+  potential.inertia = stage.inertia(moving.own());
   potential.target = stage.predicted(start, stage.extrapolated(velocity, flat(state.earlier.velocity)), gravity);
+  potential.coupled = {&moving, 1 / (stage.length * stage.length), potential.target};
   potential.start = start;
   potential.force = VectorXd::Zero(old.size());
   for (const GrabSpring& spring : springs) add(spring, potential);

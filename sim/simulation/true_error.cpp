@@ -29,9 +29,11 @@ StepError TrueError::compare_solver(const Problem& problem, const SolvedStep& st
   const std::size_t n = step.solution.size();
   state = State{step.previous, {}, problem.end_time - stage.duration};
   state.earlier.displacement = step.previous;
+  const std::vector<char> held = problem.model.held();
   for (std::size_t v = 0; v < n; ++v) {
     // The velocity v* that leads to exactly the u~ of the solver, and the earlier displacement to its u*
-    state.velocity.push_back((step.predicted[v] - step.from[v]) / stage.length - stage.length * problem.model.gravity);
+    state.velocity.push_back((step.predicted[v] - step.from[v]) / stage.length);
+    if (!held[v]) state.velocity.back() -= stage.length * problem.model.gravity;
     if (stage.extrapolation != 0)
       state.earlier.displacement[v] -= (step.from[v] - step.previous[v]) / stage.extrapolation;
   }
@@ -48,7 +50,7 @@ StepError TrueError::compare_solver(const Problem& problem, const SolvedStep& st
   for (std::size_t v = 0; v < n; ++v) {
     const double distance = (step.solution[v] - state.displacement[v]).norm();
     squared += distance * distance;
-    scale += (state.displacement[v] - step.predicted[v]).squaredNorm();
+    if (!held[v]) scale += (state.displacement[v] - step.predicted[v]).squaredNorm();
     whole += state.displacement[v].squaredNorm();
     error.largest = std::max(error.largest, distance);
     error.distance.push_back(static_cast<float>(distance));

@@ -5,7 +5,7 @@
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
-INPUT_FLOAT(Mass, mass)                 // [vertex_count] [kg]
+INPUT_FLOAT(Mass, mass)                 // [vertex_count] the vertices' own masses [kg]
 INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)      // [slots] from elastic_force
 #include "sim/energy/terms.glsl"

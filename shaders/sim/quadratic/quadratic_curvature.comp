@@ -1,7 +1,7 @@
 // Curvature of the elastic energy of quadratic tets along z_f and z_c, as subspace_curvature computes it for linear
 // ones: sums over the tets of l^2 times
 //   V [mean dF_i : d^2 Psi/dF^2 : dF_j + K (mean theta) mean d^2 theta(dF_i, dF_j) + K (mean dtheta(dF_i)) (mean dtheta(dF_j))]
-// and with damping the viscous part. With DEFERRED it computes the terms of the tets that quadratic_force deferred. With
+// and with damping the viscous part, and over what moves at their centroids of M z_i . z_j. With DEFERRED it computes the terms of the tets that quadratic_force deferred. With
 // LAST_GROUP the last work group also does the work of subspace_solve.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
@@ -13,6 +13,7 @@ INPUT_VEC4(FineDirection, fine_direction)  // [vertex_count] z_f [m]
 #if SPLIT
 INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 #endif
+INPUT_VEC4(PredictedCentroid, predicted_centroid)  // [quadratic_count] w mass [kg]
 #ifdef DEFERRED
 OUTPUT(vec4, GuardedCurvature, guarded_curvature)  // [quadratic_count] xyz terms of a tet with a guarded point, w 1
 #else
@@ -108,6 +109,23 @@ void add_terms(uint e, int q, Tet tet, Held held, vec4 material, vec4 pointwise,
 #endif
 }
 
+// Mean of a vertex field in the middles of the edges of tet e.
+#define MEAN_OF_MIDDLES(field, m, n)                                                                                  \
+  ((FETCH(field, m.x).xyz + FETCH(field, m.y).xyz + FETCH(field, m.z).xyz + FETCH(field, m.w).xyz + FETCH(field, n.x).xyz + \
+    FETCH(field, n.y).xyz) / 6.0)
+
+vec3 inertia_of(uint e) {
+  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
+  vec3 fine = MEAN_OF_MIDDLES(fine_direction, m, n);
+  vec3 terms = vec3(dot(fine, fine), 0.0, 0.0);
+#if SPLIT
+  vec3 coarse = MEAN_OF_MIDDLES(coarse_direction, m, n);
+  terms.yz = vec2(dot(fine, coarse), dot(coarse, coarse));
+#endif
+  return FETCH(predicted_centroid, e).w * terms;
+}
+
 // `guard`: whether one of the points needs the guard.
 vec3 terms_of(uint e, out bool guard) {
   uint t = FIRST_QUADRATIC + e;
@@ -143,7 +161,7 @@ vec3 terms_of(uint e, out bool guard) {
   growth = terms.viscous_growth;
   sum += terms.viscosity.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
 #endif
-  return SUBSTEP * SUBSTEP * tet.volume * sum;
+  return SUBSTEP * SUBSTEP * tet.volume * sum + inertia_of(e);
 }
 
 #ifdef DEFERRED

@@ -7,6 +7,7 @@
 #include "sim/quadratic/law.glsl"
 INPUT_UINT(QuadraticBegin, quadratic_begin)    // [vertex_count + 1]
 INPUT_UINT(VertexQuadratic, vertex_quadratic)  // [10 * quadratic_count] 10 * e + node, sorted by vertex
+INPUT_VEC4(PredictedCentroid, predicted_centroid)  // [quadratic_count] w mass [kg], of which a middle sees 1 / 36
 
 struct Centroid {
   mat3 h;
@@ -80,6 +81,7 @@ Sym3 quadratic_block(uint v) {
       block.s += bulk * x.yxx * x.zzy;
 #endif
     }
+    if (node >= 4u) sum.d += FETCH(predicted_centroid, e).w / 36.0;
     sum.d += scale * block.d;
     sum.s += scale * block.s;
   }

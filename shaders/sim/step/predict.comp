@@ -1,7 +1,7 @@
 // Inertial prediction u~ = u* + l v* + l^2 g of every vertex; the iterations start there (sim/integrators/stage.h).
 // Without EXTRAPOLATES, u* and v* are displacement and velocity. Reads velocity and the inverse masses; writes
 // previous_displacement, predicted, displacement (w: inverse mass). First pass of a stage, but for the strains of
-// damped materials where EXTRAPOLATES. Constrained vertices (inverse mass 0) are not moved.
+// damped materials where EXTRAPOLATES. Constrained vertices (inverse mass 0) are not moved; their u~ is without gravity.
 // With START_WITHOUT_GRAVITY the iterations start where the velocity leads instead: a stiff supported body hardly
 // follows gravity within a step. UNCONSTRAINED: except in unconstrained components, which fall as predicted.
 // With MASS_SPLITTING the w of displacement is the inverse mass of each of a vertex's n copies: a share m / n of its
@@ -41,23 +41,25 @@ void main() {
   vec3 u = FETCH_IN_PLACE(iterate, i).xyz;
   float inv_mass = FETCH(rest_position, i).w;
 #ifdef LISTED
-  if (INVOCATION >= moving_count) inv_mass = 0.0;
+  bool rests = INVOCATION >= moving_count;
+  if (rests) inv_mass = 0.0;
+#else
+  const bool rests = false;
 #endif
   vec3 fall = inv_mass > 0.0 ? SUBSTEP * SUBSTEP * GRAVITY : vec3(0.0);
 #ifdef EXTRAPOLATES
   vec3 v = FETCH(velocity, i).xyz;
   vec3 from = u + EXTRAPOLATION * (u - earlier_displacement[i].xyz);
   vec3 drift = inv_mass > 0.0 ? STAGE_DURATION * v : vec3(0.0);
-  vec3 inertial = inv_mass > 0.0 ? SUBSTEP * (v + EXTRAPOLATION * (v - earlier_velocity[i].xyz)) : vec3(0.0);
-#ifdef LISTED
-  if (INVOCATION >= moving_count) from = u;
-#endif
+  vec3 inertial = rests ? vec3(0.0) : SUBSTEP * (v + EXTRAPOLATION * (v - earlier_velocity[i].xyz));
+  if (rests) from = u;
   earlier_displacement[i] = vec4(u, 0.0);
   earlier_velocity[i] = vec4(v, 0.0);
   vec3 all = from + (inertial + fall);
 #else
-  vec3 from = u, drift = inv_mass > 0.0 ? SUBSTEP * FETCH(velocity, i).xyz : vec3(0.0);
-  vec3 all = u + (drift + fall);
+  vec3 inertial = rests ? vec3(0.0) : SUBSTEP * FETCH(velocity, i).xyz;
+  vec3 from = u, drift = inv_mass > 0.0 ? inertial : vec3(0.0);
+  vec3 all = u + (inertial + fall);
 #endif
   previous_displacement[i] = vec4(from, inv_mass);
   predicted[i] = vec4(all, inv_mass);

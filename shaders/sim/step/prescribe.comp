@@ -5,12 +5,8 @@ COMPUTE_1D
 INPUT_UINT(PrescribedVertex, prescribed_vertex)  // [prescribed_count]
 INPUT_VEC4(PrescribedTarget, prescribed_target)  // [prescribed_count] displacement [m]
 OUTPUT(vec4, Displacement, displacement)
-OUTPUT(vec4, Predicted, predicted)
 
 void main() {
   ITEM_OR_RETURN(i)
-  uint v = FETCH1(prescribed_vertex, i);
-  vec4 u = vec4(FETCH(prescribed_target, i).xyz, 0.0);
-  displacement[v] = u;
-  predicted[v] = u;
+  displacement[FETCH1(prescribed_vertex, i)] = vec4(FETCH(prescribed_target, i).xyz, 0.0);
 }

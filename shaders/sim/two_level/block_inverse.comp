@@ -15,7 +15,7 @@ INPUT_VEC4(Displacement, displacement)  // [vertex_count] xyz u [m], w inverse m
 #include "sim/quadratic/vertex_block.glsl"
 #endif
 #include "sim/energy/terms.glsl"
-INPUT_FLOAT(Mass, mass)                     // [vertex_count] [kg]
+INPUT_FLOAT(Mass, mass)                     // [vertex_count] the vertices' own masses [kg]
 #if FREE
 OUTPUT(vec4, BlockFree, block_free)  // [2 * vertex_count] the blocks, xyz of xx, yy, zz then of yz, xz, xy [kg];
                                      // first w inverse mass

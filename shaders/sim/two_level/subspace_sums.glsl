@@ -4,7 +4,7 @@
 #include "common/reduce.glsl"
 #include "common/step.glsl"
 #include "sim/energy/terms.glsl"
-INPUT_FLOAT(Mass, mass)                          // [vertex_count] [kg]
+INPUT_FLOAT(Mass, mass)                          // [vertex_count] the vertices' own masses [kg]
 INPUT_VEC4(LastStep, last_step)                  // [vertex_count] p [m]
 INPUT_VEC4(PreviousGradient, previous_gradient)  // [vertex_count] g before p [kg m]
 // Three arrays of `partials`: x g.z_f, y g.z_c, z g.p, w objective; x z_f M z_f, y z_f M z_c, z z_c M z_c, w p M p; x

@@ -35,6 +35,18 @@ gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers
   return pass;
 }
 
+gl::ComputePass centroid_prediction(const Recording& r) {
+  gl::ComputePass pass = r.over_quadratic("sim/quadratic/quadratic_predict.comp", {},
+                                          {{"step", &r.buffers.step},
+                                           {"tet_vertices", &r.buffers.tet_vertices},
+                                           {"tet_shape", &r.buffers.tet_shape},
+                                           {"mid_edges", &r.buffers.mid_edges},
+                                           {"predicted", &r.buffers.predicted},
+                                           {"predicted_centroid", &r.buffers.predicted_centroid}});
+  pass.loops(0);
+  return pass;
+}
+
 Passes strains_at_start(const Recording& r) {
   gl::Defines defines;
   gl::ComputePass::Bindings bindings{{"previous_displacement", &r.buffers.previous_displacement},

@@ -19,6 +19,10 @@ struct Start {
 gl::ComputePass prediction(gl::ProgramCache& programs, const SimBuffers& buffers, const gl::Buffer* copy_begin,
                            const Start& start = {}, const ActiveSet* active = nullptr);
 
+/// u~ of what moves at the centroids of quadratic tets (shaders/sim/quadratic/quadratic_predict.comp). After the
+/// prediction.
+gl::ComputePass centroid_prediction(const Recording& recording);
+
 /// eps* of damped materials (shaders/sim/step/previous_strain.comp). Before the prediction where the integrator
 /// extrapolates, else after it.
 Passes strains_at_start(const Recording& recording);

@@ -99,7 +99,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
                                      {"tet_vertices", &r.buffers.tet_vertices},
                                      {"tet_shape", &r.buffers.tet_shape},
                                      {"displacement", &r.buffers.displacement},
-                                     {"mass", &r.buffers.mass}};
+                                     {"mass", &r.buffers.own_masses()}};
   const bool contact = r.has_blocks(), at_once = contact && r.evaluates_blocks();
   if (contact) bindings.emplace_back("block_free", &block_free_);
   if (!contact || at_once) bindings.emplace_back("block_inverse", &block_inverse_);
@@ -108,7 +108,8 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
   if (vertex_quadratic_)
     bindings.insert(bindings.end(), {{"mid_edges", &r.buffers.mid_edges},
                                      {"quadratic_begin", &r.buffers.quadratic_begin},
-                                     {"vertex_quadratic", &vertex_quadratic_}});
+                                     {"vertex_quadratic", &vertex_quadratic_},
+                                     {"predicted_centroid", &r.buffers.predicted_centroid}});
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines defines =
       with_energy_terms(defines_of(r.features), bindings, r.terms, at_once ? TermUse::block : TermUse::stiffness);
@@ -226,7 +227,7 @@ gl::ComputePass TwoLevelMethod::objective_sum(const Recording& r, bool final) co
 gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* kernel, gl::Defines defines,
                                              gl::ComputePass::Bindings bindings) const {
   bindings.insert(bindings.end(), {{"step", &r.buffers.step},
-                                   {"mass", &r.buffers.mass},
+                                   {"mass", &r.buffers.own_masses()},
                                    {"last_step", &last_step_},
                                    {"previous_gradient", &previous_gradient_},
                                    {"dot_partials", &partials_}});
@@ -247,6 +248,7 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
   };
   const gl::Buffer& guarded = quadratic ? guarded_quadratic_ : guarded_curvature_;
   bindings = quadratic ? with_quadratic(std::move(bindings), r.buffers) : with_pairs(std::move(bindings), r.buffers);
+  if (quadratic) bindings.emplace_back("predicted_centroid", &r.buffers.predicted_centroid);
   gl::ComputePass::Bindings sums = bindings;
   gl::Defines sum_defines = defines;
   if (solve.empty()) {

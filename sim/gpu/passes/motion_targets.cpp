@@ -39,8 +39,7 @@ gl::ComputePass MotionTargets::pass(gl::ProgramCache& programs, const SimBuffers
   gl::ComputePass pass(programs.compute("sim/step/prescribe.comp"),
                        {{"prescribed_vertex", &vertex_},
                         {"prescribed_target", &target_},
-                        {"displacement", &buffers.displacement},
-                        {"predicted", &buffers.predicted}},
+                        {"displacement", &buffers.displacement}},
                        static_cast<std::uint32_t>(vertices_.size()));
   pass.loops(0);
   return pass;

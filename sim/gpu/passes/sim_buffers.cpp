@@ -212,6 +212,12 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   for (std::uint32_t v = 0; v < vertex_count; ++v)
     most_tets = std::max(most_tets,
                          offsets.linear[v + 1] - offsets.linear[v] + offsets.quadratic[v + 1] - offsets.quadratic[v]);
+  quadratic_tets.assign(order.begin() + pairing.linear_count(), order.end());
+  if (has_quadratic()) {
+    if (!own_mass) own_mass = gl::Buffer("own_mass", vertex_count * sizeof(float));
+    predicted_centroid = gl::Buffer("predicted_centroid", quadratic_count * sizeof(vec4));
+    upload_moving_masses(model);
+  }
   tets = std::move(ordered);
   mid_edge_vertices = std::move(middles);
   tet_offsets = std::move(offsets.linear);
@@ -239,9 +245,10 @@ void SimBuffers::upload_displacements(const std::vector<Eigen::Vector3d>& u) {
 void SimBuffers::upload_state(const Model& model, const State& state) {
   upload_displacements(state.displacement);
   std::vector<vec4> values(vertex_count);
-  const std::vector<char> held = model.held();
+  std::vector<char> fixed(vertex_count);
+  for (const std::uint32_t v : model.fixed) fixed[v] = 1;
   for (std::size_t i = 0; i < vertex_count; ++i)
-    values[i] = to_vec4(held[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
+    values[i] = to_vec4(fixed[i] ? Eigen::Vector3d(0, 0, 0) : state.velocity[placement.vertex[i]], 0);
   velocity.upload(0, values.size() * sizeof(vec4), values.data());
   if (contact_memory) upload_contact(state.contact);
   if (!earlier_displacement || state.earlier.step == 0) return;
@@ -314,6 +321,16 @@ void SimBuffers::upload_materials(const Model& model) {
   mean_mass = std::accumulate(masses.begin(), masses.end(), 0.0) / vertex_count;
   rest_position.upload(0, rest.size() * sizeof(vec4), rest.data());
   mass.upload(0, mass_values.size() * sizeof(float), mass_values.data());
+  if (has_quadratic()) upload_moving_masses(model);
+}
+
+void SimBuffers::upload_moving_masses(const Model& model) {
+  const MovingMasses moving = moving_masses(model);
+  const std::vector<float> own(moving.own.begin(), moving.own.end());
+  own_mass.upload(0, own.size() * sizeof(float), own.data());
+  std::vector<vec4> centroids;
+  for (const std::uint32_t t : quadratic_tets) centroids.push_back({0, 0, 0, static_cast<float>(moving.centroid[t])});
+  predicted_centroid.upload(0, centroids.size() * sizeof(vec4), centroids.data());
 }
 
 void SimBuffers::upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage) {

@@ -47,7 +47,7 @@ struct SimBuffers {
 
   // Constants of the model.
   gl::Buffer rest_position;  // vec4 [vertex_count] X [m], w inverse mass [1/kg], 0 where constrained
-  gl::Buffer mass;           // float [vertex_count] [kg]
+  gl::Buffer mass;           // float [vertex_count] lumped [kg]
   gl::Buffer tet_vertices;   // uvec4 [tet_count]
   gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]; of a pair's
                              // first tet also d1, d2
@@ -70,10 +70,13 @@ struct SimBuffers {
   gl::Buffer quadratic_slots;  // uvec4 [3 * quadratic_count] slots of all ten vertices
   gl::Buffer
       quadratic_begin;  // uint [vertex_count + 1] differences are the numbers of quadratic tets around each vertex
+  gl::Buffer own_mass;  // float [vertex_count] [kg] MovingMasses::own; own_masses()
+  gl::Buffer predicted_centroid;  // vec4 [quadratic_count] of what moves at centroids: u~ [m], w mass [kg]
 
   // The same on the CPU: data read back from a device that fails must never be an index or a size.
   std::vector<Tet> tets;                         // [tet_count] tet_vertices
   std::vector<MidEdges> mid_edge_vertices;       // [quadratic_count]
+  std::vector<std::uint32_t> quadratic_tets;     // [quadratic_count] in Model::tets
   std::vector<std::uint32_t> tet_offsets;        // [vertex_count + 1] tet_begin
   std::vector<std::uint32_t> quadratic_offsets;  // [vertex_count + 1] quadratic_begin
 
@@ -99,6 +102,8 @@ struct SimBuffers {
     return t < linear_count() ? ElementVertices(tets[t])
                               : ElementVertices(tets[t], mid_edge_vertices[t - linear_count()]);
   }
+  /// What moves with the vertices themselves: `mass` without quadratic tets.
+  const gl::Buffer& own_masses() const { return own_mass ? own_mass : mass; }
   /// Of an iteration, in linear tets: a quadratic one has the vertices of eight.
   std::uint32_t work() const { return work_of(linear_count(), quadratic_count); }
   static std::uint32_t work_of(std::uint32_t linear, std::uint32_t quadratic) { return linear + 8 * quadratic; }
@@ -124,6 +129,9 @@ struct SimBuffers {
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);
   bool material_per_tet() const { return static_cast<bool>(tet_material); }
+
+ private:
+  void upload_moving_masses(const Model& model);
 };
 
 }  // namespace fascia

@@ -36,7 +36,7 @@ Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>
   gl::ComputePass::Bindings vertex{{"step", &r.buffers.step},
                                    {pending ? "iterate" : "displacement", &r.buffers.displacement},
                                    {"predicted", &r.buffers.predicted},
-                                   {"mass", &r.buffers.mass},
+                                   {"mass", &r.buffers.own_masses()},
                                    {"gradient", &gradient_}};
   const bool clusters = clusters_ && !r.deferred;
   vertex.emplace_back("slot_begin", clusters ? &clusters_->slot_begin() : &r.buffers.slot_begin);
@@ -58,9 +58,11 @@ Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>
   else if (r.buffers.has_linear())
     append(passes,
            r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, with_slots(tet, r.buffers)));
-  if (r.buffers.has_quadratic())
+  if (r.buffers.has_quadratic()) {
+    tet.emplace_back("predicted_centroid", &r.buffers.predicted_centroid);
     append(passes, r.over_quadratic_deferring("sim/quadratic/quadratic_force.comp", tet_defines,
                                               with_quadratic_slots(tet, r.buffers)));
+  }
   passes.push_back(r.over_vertices("sim/elasticity/gradient.comp", vertex_defines, std::move(vertex)));
   passes.back().loops(r.loops_of_slots());
   return passes;

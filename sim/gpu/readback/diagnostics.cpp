@@ -28,7 +28,10 @@ DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
       mean_mass_(buffers.mean_mass),
       displacement_(buffers.displacement),
       tet_partials_("tet_partials", (pair_partial_count_ + quadratic_partial_count_) * sizeof(shared::TetPartial)),
-      vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {}
+      vertex_partials_("vertex_partials", vertex_partial_count_ * sizeof(shared::VertexPartial)) {
+  if (quadratic_partial_count_ > 0)
+    centroid_partials_ = gl::Buffer("centroid_partials", quadratic_partial_count_ * sizeof(shared::CentroidPartial));
+}
 
 void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
                                const gl::Buffer& previous_strain, const EnergyTerms& terms) {
@@ -46,6 +49,11 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
     gl::ComputePass::Constants constants = constants_of_quadratic(buffers);
     constants.insert(constants.end(),
                      {{"quadratic_count", buffers.quadratic_count}, {"first_partial", pair_partial_count_}});
+    tet.insert(tet.end(), {{"rest_position", &buffers.rest_position},
+                           {"velocity", &buffers.velocity},
+                           {"predicted", &buffers.predicted},
+                           {"predicted_centroid", &buffers.predicted_centroid},
+                           {"centroid_partials", &centroid_partials_}});
     passes_.emplace_back(
         programs.compute("sim/quadratic/quadratic_diagnose.comp", defines_of_quadratic(defines_of(features), buffers)),
         with_quadratic_slots(tet, buffers), quadratic_partial_count_, std::move(constants));
@@ -53,16 +61,21 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
   for (const EnergyTerm* term : terms)
     if (term->acts())
       for (gl::ComputePass& pass : term->impulses(programs, buffers)) passes_.push_back(std::move(pass));
-  passes_.emplace_back(programs.compute("sim/readback/diagnose_vertex.comp"),
-                       gl::ComputePass::Bindings{{"step", &buffers.step},
-                                                 {"rest_position", &buffers.rest_position},
-                                                 {"mass", &buffers.mass},
-                                                 {"displacement", &buffers.displacement},
-                                                 {"predicted", &buffers.predicted},
-                                                 {"velocity", &buffers.velocity},
-                                                 {"slot_begin", &buffers.slot_begin},
-                                                 {"correction", &buffers.correction},
-                                                 {"vertex_partials", &vertex_partials_}},
+  gl::ComputePass::Bindings vertex{{"step", &buffers.step},
+                                   {"rest_position", &buffers.rest_position},
+                                   {"mass", &buffers.mass},
+                                   {"displacement", &buffers.displacement},
+                                   {"predicted", &buffers.predicted},
+                                   {"velocity", &buffers.velocity},
+                                   {"slot_begin", &buffers.slot_begin},
+                                   {"correction", &buffers.correction},
+                                   {"vertex_partials", &vertex_partials_}};
+  gl::Defines vertex_defines;
+  if (buffers.has_quadratic()) {
+    vertex.emplace_back("own_mass", &buffers.own_mass);
+    vertex_defines.emplace_back("QUADRATIC_TETS", "1");
+  }
+  passes_.emplace_back(programs.compute("sim/readback/diagnose_vertex.comp", vertex_defines), std::move(vertex),
                        vertex_partial_count_, gl::ComputePass::Constants{{"vertex_count", buffers.vertex_count}});
 }
 
@@ -74,7 +87,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   Pending& p = pending_[newest_];
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
   const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
-  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + grab_bytes + probe_bytes +
+  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + centroid_partials_.bytes() + grab_bytes + probe_bytes +
                             (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes() +
                             contact.pairs().size() * sizeof(shared::vec4);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
@@ -86,6 +99,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   const auto copy = [&](const gl::Buffer& from) { copy_part(from, 0, from.bytes()); };
   copy(tet_partials_);
   copy(vertex_partials_);
+  if (centroid_partials_) copy(centroid_partials_);
   if (grab_bytes) copy(grab.multiplier());
   if (probe_) copy_part(displacement_, *probe_ * probe_bytes, probe_bytes);
   if (stop_state) copy(*stop_state);
@@ -119,7 +133,10 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
   std::vector<shared::vec4> grabbed(pending.owners.joined.size());
   pending.staging.download(0, tet_partials_.bytes(), tets.data());
   pending.staging.download(tet_partials_.bytes(), vertex_partials_.bytes(), vertices.data());
-  const std::size_t grab_begin = tet_partials_.bytes() + vertex_partials_.bytes(),
+  const std::size_t vertex_end = tet_partials_.bytes() + vertex_partials_.bytes();
+  std::vector<shared::CentroidPartial> centroids(quadratic_partial_count_);
+  if (centroid_partials_) pending.staging.download(vertex_end, centroid_partials_.bytes(), centroids.data());
+  const std::size_t grab_begin = vertex_end + centroid_partials_.bytes(),
                     grab_bytes = grabbed.size() * sizeof(shared::vec4);
   if (!grabbed.empty()) pending.staging.download(grab_begin, grab_bytes, grabbed.data());
   std::size_t next = grab_begin + grab_bytes;
@@ -157,6 +174,11 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     inverted += t.sums.y;
     growth += t.sums.z;
     strain2 += t.sums.w;
+  }
+  for (const shared::CentroidPartial& c : centroids) {
+    d.angular_momentum += Eigen::Vector3d(c.angular.x, c.angular.y, c.angular.z);
+    d.kinetic += c.angular.w;
+    d.inertia += Eigen::Vector3d(c.inertia.x, c.inertia.y, c.inertia.z);
   }
   for (const shared::VertexPartial& v : vertices) {
     d.momentum += Eigen::Vector3d(v.momentum.x, v.momentum.y, v.momentum.z);

@@ -78,6 +78,7 @@ class DiagnosticsReader {
   const gl::Buffer& displacement_;
   std::optional<std::uint32_t> probe_;
   gl::Buffer tet_partials_, vertex_partials_;
+  gl::Buffer centroid_partials_;  // of quadratic tets
   std::vector<gl::ComputePass> passes_;
   std::array<Pending, 2> pending_;
   unsigned newest_ = 0;

@@ -10,6 +10,7 @@
 #include "sim/gpu/solver.h"
 #include "sim/reference/elastic_system.h"
 #include "sim/reference/elasticity.h"
+#include "sim/reference/mass_matrix.h"
 #include "sim/reference/newton.h"
 
 namespace fascia {
@@ -56,19 +57,24 @@ double gradient_deviation(gl::ProgramCache& programs, MaterialModel law, bool qu
   const gl::Buffer no_strain;
   const EnergyTerms no_terms;
   const StepGradient gradient(programs, p.buffers);
-  for (const gl::ComputePass& pass : gradient.passes({programs, p.buffers, features, no_strain, no_terms})) pass.run();
+  const Recording recording{programs, p.buffers, features, no_strain, no_terms};
+  if (quadratic) centroid_prediction(recording).run();
+  for (const gl::ComputePass& pass : gradient.passes(recording)) pass.run();
   const std::vector<Vector3d> u = p.buffers.download_vectors(p.buffers.displacement),
                               start = p.buffers.download_vectors(p.buffers.predicted);
   const auto count = static_cast<Eigen::Index>(u.size());
   Eigen::VectorXd force;
   reference::ElasticSystem(model).evaluate(Eigen::Map<const Eigen::VectorXd>(u[0].data(), 3 * count), {}, force);
-  const std::vector<double> mass = lumped_masses(model);
   const std::vector<char> held = model.held();
+  const double squared = p.stage.length * p.stage.length;
+  Eigen::VectorXd lag(3 * count);
+  for (std::size_t v = 0; v < u.size(); ++v)
+    lag.segment<3>(3 * static_cast<Eigen::Index>(v)) =
+        u[v] - start[v] - (held[v] ? squared : 0.0) * model.gravity;
+  const Eigen::VectorXd all = reference::MassMatrix(model).times(lag) + squared * force;
   std::vector<Vector3d> expected(u.size(), Vector3d::Zero());
   for (std::size_t v = 0; v < u.size(); ++v)
-    if (!held[v])
-      expected[v] = mass[v] * (u[v] - start[v]) +
-                    p.stage.length * p.stage.length * force.segment<3>(3 * static_cast<Eigen::Index>(v));
+    if (!held[v]) expected[v] = all.segment<3>(3 * static_cast<Eigen::Index>(v));
   return relative_deviation(p.buffers.download_vectors(gradient.gradient()), expected);
 }
 

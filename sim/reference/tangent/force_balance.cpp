@@ -41,11 +41,16 @@ VectorXd ForceBalance::inner_forces(const Nearby& nearby, const VectorXd& u, con
   return forces;
 }
 
-VectorXd ForceBalance::masses(const Model& nearby) {
+MassMatrix ForceBalance::masses(const Model& nearby) {
+  set_materials(nearby);
+  return MassMatrix(model_);
+}
+
+VectorXd ForceBalance::weight(const Model& nearby) {
   set_materials(nearby);
   VectorXd all(static_cast<Index>(3 * model_.rest_positions.size()));
   const std::vector<double> masses = lumped_masses(model_);
-  for (std::size_t v = 0; v < masses.size(); ++v) all.segment<3>(static_cast<Index>(3 * v)).setConstant(masses[v]);
+  for (std::size_t v = 0; v < masses.size(); ++v) all.segment<3>(static_cast<Index>(3 * v)) = masses[v] * nearby.gravity;
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/model/grab_spring.h"
 #include "sim/model/model.h"
 #include "sim/reference/elastic_system.h"
+#include "sim/reference/mass_matrix.h"
 
 namespace fascia::reference {
 
@@ -29,8 +30,9 @@ class ForceBalance {
   Eigen::VectorXd placed(const Eigen::VectorXd& u, const Model& nearby, double time) const;
   /// Elastic, viscous and spring forces at all vertices [3 * vertex_count] [N], as gradients of their energies.
   Eigen::VectorXd inner_forces(const Nearby& nearby, const Eigen::VectorXd& u, const ViscousStep& viscous);
-  /// Lumped masses [3 * vertex_count] [kg].
-  Eigen::VectorXd masses(const Model& nearby);
+  MassMatrix masses(const Model& nearby);
+  /// Lumped masses times gravity [3 * vertex_count] [N].
+  Eigen::VectorXd weight(const Model& nearby);
   Eigen::VectorXd gravity(const Model& nearby) const;  // at every vertex [3 * vertex_count] [m/s^2]
   /// Stiffness of springs at each component [3 * vertex_count] [N/m].
   Eigen::VectorXd stiffness(const std::vector<GrabSpring>& springs) const;

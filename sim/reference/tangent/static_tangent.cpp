@@ -21,7 +21,7 @@ bool StaticTangent::linearize(const State& equilibrium, const Nearby& here) {
 }
 
 VectorXd StaticTangent::unbalanced(const Nearby& nearby, const VectorXd& u) {
-  const VectorXd weight = balance_.masses(nearby.model).cwiseProduct(balance_.gravity(nearby.model));
+  const VectorXd weight = balance_.weight(nearby.model);
   return balance_.system().free_part(balance_.inner_forces(nearby, u, {}) - weight);
 }
 

@@ -21,10 +21,11 @@ bool StepTangent::linearize(const IntegratorStage& stage, const State& before,
              flattened(before.earlier.velocity)};
   after_ = flattened(after);
   end_ = before.time + stage.duration;
-  const VectorXd inertia = stage.inertia(balance_.masses(here.model));
+  const MassMatrix masses = balance_.masses(here.model);
   VectorXd scale;
   balance_.system().assemble(after_, viscous_from(before_), false, hessian_, scale);
-  hessian_.diagonal() += balance_.system().free_part(inertia + balance_.stiffness(here.springs));
+  hessian_.diagonal() += balance_.system().free_part(stage.inertia(masses.own()) + balance_.stiffness(here.springs));
+  masses.add_coupled(1 / (stage.length * stage.length), balance_.system(), hessian_);
   return cholesky_.factorize(hessian_);
 }
 
@@ -50,12 +51,12 @@ ViscousStep StepTangent::viscous_from(const Start& start) const {
 }
 
 VectorXd StepTangent::unbalanced(const Nearby& nearby, const Start& start, const VectorXd& u) {
-  const VectorXd inertia = stage_.inertia(balance_.masses(nearby.model));
+  const MassMatrix masses = balance_.masses(nearby.model);
   const VectorXd target =
       stage_.predicted(stage_.extrapolated(start.displacement, start.earlier_displacement),
                        stage_.extrapolated(start.velocity, start.earlier_velocity), balance_.gravity(nearby.model));
   return balance_.system().free_part(balance_.inner_forces(nearby, u, viscous_from(start)) +
-                                     inertia.cwiseProduct(u - target));
+                                     stage_.inertia(masses.times(u - target)));
 }
 
 StateRate StepTangent::rate(const StateRate& start, const Nearby& below, const Nearby& above, double step) {
