@@ -151,8 +151,11 @@ RefinedStress::Vectors RefinedStress::loads_of(const Vectors& coarse_forces) con
   const auto add_field = [&](const Model& model, std::size_t t, double factor) {
     const double mass = factor * model.materials[model.tet_material[t]].density * volume_of(model, t);
     const ElementVertices element = model.element(t);
-    for (std::size_t n = 0; n < 10; ++n)
-      result[element[n]] += mass * (n < 4 ? QuadraticTet::kCornerMass : QuadraticTet::kMidEdgeMass) * field[element[n]];
+    Vector3d of_centroid(0, 0, 0);  // share of a middle
+    for (std::size_t n = 4; n < 10; ++n) of_centroid += QuadraticTet::kCentroidMass / 36 * field[element[n]];
+    for (std::size_t n = 0; n < 4; ++n) result[element[n]] += mass * QuadraticTet::kCornerMass * field[element[n]];
+    for (std::size_t n = 4; n < 10; ++n)
+      result[element[n]] += mass * (QuadraticTet::kOwnMidEdgeMass * field[element[n]] + of_centroid);
   };
   const auto add_tractions = [&](const std::vector<FaceLoad>& loads, double factor) {
     for (const FaceLoad& load : loads) {

@@ -1,5 +1,5 @@
 // What quadratic tets lack, from the same body with each tet cut in eight, quadratic again: the loads that hold the
-// tets move it on to its own equilibrium, with the averages of the change of volume (volume_split()) and the lumped
+// tets move it on to its own equilibrium, with the averages of the change of volume (volume_split()) and the
 // masses of the finer tets. Cubic functions on the same tets are no substitute: at the edges of supports they are
 // hardly better than quadratic ones, and without the averages they are stiffer where these are too soft.
 //

@@ -97,6 +97,36 @@ TEST_CASE("four points integrate quadratic functions of a quadratic tet exactly"
   CHECK(mixed == Approx(0.05).epsilon(1e-14));
 }
 
+TEST_CASE("what moves at the centroid leaves a quadratic tet its mass, its center and its second moments") {
+  const Corners x{Vector3d(0.1, -0.2, 0.3), Vector3d(1.3, 0.1, 0.2), Vector3d(0.2, 0.9, -0.1), Vector3d(0.4, 0.3, 1.7)};
+  double mass = QuadraticTet::kCentroidMass;
+  Vector3d center = Vector3d::Zero(), sum = Vector3d::Zero();
+  Matrix3d moments = Matrix3d::Zero(), exact = Matrix3d::Zero();
+  const auto add = [&](double m, const Vector3d& at) {
+    center += m * at;
+    moments += m * at * at.transpose();
+  };
+  Vector3d mean_of_middles = Vector3d::Zero();
+  for (const Vector3d& corner : x) {
+    mass += QuadraticTet::kCornerMass;
+    add(QuadraticTet::kCornerMass, corner);
+    sum += corner;
+    exact += corner * corner.transpose() / 20;
+  }
+  for (const auto& [a, b] : kMidEdgeCorners) {
+    const Vector3d middle = 0.5 * (x[a] + x[b]);
+    mass += QuadraticTet::kOwnMidEdgeMass;
+    add(QuadraticTet::kOwnMidEdgeMass, middle);
+    mean_of_middles += middle / 6;
+  }
+  add(QuadraticTet::kCentroidMass, mean_of_middles);
+  exact += sum * sum.transpose() / 20;  // the mean of x x^T over a tet: (sum x_a x_a^T + sum x_a sum x_a^T) / 20
+  CAPTURE(mass, center.transpose(), moments, exact);
+  CHECK(mass == Approx(1).epsilon(1e-14));
+  CHECK((center - sum / 4).norm() < 1e-14);
+  CHECK((moments - exact).norm() < 1e-14);
+}
+
 TEST_CASE("lumped masses of a quadratic tet are in the ratio of the diagonal of its mass matrix") {
   CHECK(4 * QuadraticTet::kCornerMass + 6 * QuadraticTet::kMidEdgeMass == Approx(1).epsilon(1e-15));
   // By the formula of Eisenberg and Malvern 1973: the mean of L1^a L2^b is a! b! 3! / (a + b + 3)!.

@@ -41,6 +41,23 @@ TEST_CASE("a spinning, moving body has the momenta and energy of its masses", "[
   CHECK(measures.inverted == 0);
 }
 
+TEST_CASE("a spinning box of quadratic tets has the continuum's moments of inertia", "[measures]") {
+  const Vector3d size(0.3, 0.2, 0.1);
+  const Model model = test::quadratic(box_model(1, 2, 1, size, soft(1e5)));
+  State state = initial_state(model);
+  const Vector3d spin(1, -2, 3), drift(1, 0, -2);
+  for (std::size_t v = 0; v < state.velocity.size(); ++v)
+    state.velocity[v] = drift + spin.cross(model.rest_positions[v] - 0.5 * size);
+  const double total = 1000 * size.prod();
+  const Vector3d squares = size.cwiseAbs2(),
+                 inertia = total / 12 * (Vector3d::Constant(squares.sum()) - squares);  // about its axes
+  const Measures measures = measure(model, state);
+  CHECK((measures.momentum - total * drift).norm() < 1e-13 * total);
+  CHECK((measures.angular_momentum - inertia.cwiseProduct(spin) - (0.5 * size).cross(total * drift)).norm() < 1e-13);
+  CHECK(measures.kinetic ==
+        Approx(0.5 * total * drift.squaredNorm() + 0.5 * inertia.dot(spin.cwiseAbs2())).epsilon(1e-13));
+}
+
 TEST_CASE("inverted tets are counted", "[measures]") {
   const Model model = box_model(1, 1, 1, {1, 1, 1}, soft(1e5));
   State state = initial_state(model);

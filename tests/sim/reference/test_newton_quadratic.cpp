@@ -115,6 +115,57 @@ TEST_CASE("quadratic tets have the mass of their volume and fall freely as a rig
   for (const Vector3d& u : state.displacement) CHECK((u - 6 * h * h * model.gravity).norm() < 1e-12);
 }
 
+// The masses of a tet: m [D - 14/135 (I - 1 1^T / 6)], whose second part is that of the six middles; D: lumped.
+TEST_CASE("stages of quadratic tets balance the inertia of a body whose support shakes", "[quadratic]") {
+  const Integrator integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2, Integrator::sdirk2);
+  Model model = quadratic(box_model(2, 1, 1, {0.2, 0.1, 0.1}, of(MaterialModel::squared, 1e4, 0.3)));
+  model.gravity = {1, -9.81, 2};
+  Motion shake;
+  shake.vertices = test::vertices_where(model, [](const Vector3d& x) { return x.x() < 1e-9; });
+  shake.translate = {0.02, 0.05, 0};
+  shake.angle = 0.5;
+  shake.duration = 0.05;
+  model.motions = {shake};
+  const auto count = static_cast<Eigen::Index>(model.rest_positions.size());
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const LinearTet rest(
+        Corners{model.rest_positions[model.tets[t][0]], model.rest_positions[model.tets[t][1]],
+                model.rest_positions[model.tets[t][2]], model.rest_positions[model.tets[t][3]]});
+    const ElementVertices nodes = model.element(t);
+    for (std::size_t i = 0; i < 10; ++i)
+      for (std::size_t j = 0; j < 10; ++j) {
+        double share = i != j ? 0 : i < 4 ? 1.0 / 36 : 4.0 / 27;
+        if (i >= 4 && j >= 4) share -= 14.0 / 135 * ((i == j) - 1.0 / 6);
+        mass.block<3, 3>(3 * nodes[i], 3 * nodes[j]).diagonal().array() += 1000 * rest.volume * share;
+      }
+  }
+  const ElasticSystem system(model);
+  NewtonSolver solver(model, {});
+  State state = initial_state(model);
+  const double h = 1.0 / 60;
+  double earlier = 0;
+  for (int step = 0; step < 5; ++step) {
+    for (const IntegratorStage& stage : stages_of(integrator, h, earlier)) {
+      const State before = state;
+      CAPTURE(name_of(integrator), step, stage.extrapolation);
+      REQUIRE(solver.solve(stage, state).converged);
+      const VectorXd start = stage.extrapolated(flat(before.displacement), flat(before.earlier.displacement)),
+                     velocity = stage.extrapolated(flat(before.velocity), flat(before.earlier.velocity)),
+                     end = flat(state.displacement);
+      // The acceleration of a vertex is what changes its velocity, so that of the support is prescribed, too.
+      const VectorXd acceleration = ((end - start) / stage.length - velocity) / stage.length;
+      VectorXd elastic;
+      system.evaluate(end, {}, elastic);
+      const VectorXd inertia = mass * acceleration,
+                     forces = mass * VectorXd(model.gravity.replicate(count, 1)) - elastic;
+      const VectorXd missing = system.free_part(inertia - forces);
+      CHECK(missing.norm() < 1e-9 * (inertia.norm() + forces.norm()));
+    }
+    earlier = h;
+  }
+}
+
 TEST_CASE("steps of a free body of quadratic tets keep its momentum", "[quadratic]") {
   const MaterialModel law = GENERATE(from_range(material_models()));
   const double damping = GENERATE(0.0, 0.02);
