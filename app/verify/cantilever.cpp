@@ -73,11 +73,8 @@ void verify_frequencies(Verification& verification) {
       const Eigen::VectorXd found = natural_frequencies(model, 6);
       for (std::size_t k = 0; k < names.size(); ++k) {
         const double truth = row.truth[k];
-        verification.add({"Natural frequencies",
-                          count_of(model) + ", nu = " + number(row.nu) + ": " + names[k],
-                          "Hz",
-                          found.size() > 0 ? found[static_cast<Eigen::Index>(k)] : std::nan(""),
-                          0.99 * truth,
+        verification.add({"Natural frequencies", count_of(model) + ", nu = " + number(row.nu) + ": " + names[k], "Hz",
+                          found.size() > 0 ? found[static_cast<Eigen::Index>(k)] : std::nan(""), 0.99 * truth,
                           1.01 * truth,
                           number(truth) + " Hz: extrapolated from CalculiX's C3D20R with consistent masses"});
       }

@@ -116,23 +116,13 @@ MatrixXd coarse_matrix(const Model& model, const CoarseSpace& space, double h) {
     alike.add(gradients, dm.determinant() / 6);
   }
   alike.add_stiffness(a, h);
-  const MovingMasses masses = moving_masses(model);
-  for (std::size_t v = 0; v < masses.own.size(); ++v)
+  const std::vector<double> masses = lumped_masses(model);
+  for (std::size_t v = 0; v < masses.size(); ++v)
     for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k)
       for (std::uint32_t l = space.begin[v]; l < space.begin[v + 1]; ++l)
         if (space.node[l] <= space.node[k])
           a.block<3, 3>(3 * space.node[k], 3 * space.node[l]).diagonal().array() +=
-              masses.own[v] * space.weight[k] * space.weight[l];
-  for (std::size_t t = 0; t < masses.centroid.size(); ++t) {
-    if (masses.centroid[t] == 0) continue;
-    std::map<std::uint32_t, double> weights;  // of the nodes in the mean of the middles
-    for (const std::uint32_t v : model.mid_edges[t])
-      for (std::uint32_t k = space.begin[v]; k < space.begin[v + 1]; ++k) weights[space.node[k]] += space.weight[k] / 6;
-    for (const auto& [row, weight] : weights)
-      for (const auto& [column, other] : weights)
-        if (column <= row)
-          a.block<3, 3>(3 * row, 3 * column).diagonal().array() += masses.centroid[t] * weight * other;
-  }
+              masses[v] * space.weight[k] * space.weight[l];
   return a.selfadjointView<Eigen::Lower>();
 }
 

@@ -33,9 +33,7 @@ std::vector<double> masses_of_vertices(const Model& model, double of_middle) {
 
 }  // namespace
 
-std::vector<double> lumped_masses(const Model& model) {
-  return masses_of_vertices(model, QuadraticTet::kMidEdgeMass);
-}
+std::vector<double> lumped_masses(const Model& model) { return masses_of_vertices(model, QuadraticTet::kMidEdgeMass); }
 
 MovingMasses moving_masses(const Model& model) {
   MovingMasses masses{masses_of_vertices(model, QuadraticTet::kOwnMidEdgeMass), {}};

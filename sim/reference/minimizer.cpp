@@ -114,8 +114,9 @@ void Minimizer::couple(const PairEnergy& pairs, const VectorXd& u, VectorXd& sca
 }
 
 bool Minimizer::has_factor_of(const Potential& potential) const {
-  return !potential.contact && factored_.length == potential.viscous.h && factored_.coupled == potential.coupled.factor &&
-         factored_.inertia.size() == potential.inertia.size() && factored_.inertia == potential.inertia;
+  return !potential.contact && factored_.length == potential.viscous.h &&
+         factored_.coupled == potential.coupled.factor && factored_.inertia.size() == potential.inertia.size() &&
+         factored_.inertia == potential.inertia;
 }
 
 bool Minimizer::factorize_sum(double shift) {

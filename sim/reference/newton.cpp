@@ -141,7 +141,7 @@ struct NewtonSolver::Impl {
   std::vector<GrabSpring> springs;
   const ElasticSystem system;
   Minimizer minimizer;
-  const VectorXd mass;     // lumped [3 * vertex_count] [kg]
+  const VectorXd mass;  // lumped [3 * vertex_count] [kg]
   const MassMatrix moving;
   const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
   const ContactSurface contact;

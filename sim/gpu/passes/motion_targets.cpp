@@ -36,11 +36,10 @@ void MotionTargets::upload(const Model& model, double t) {
 }
 
 gl::ComputePass MotionTargets::pass(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  gl::ComputePass pass(programs.compute("sim/step/prescribe.comp"),
-                       {{"prescribed_vertex", &vertex_},
-                        {"prescribed_target", &target_},
-                        {"displacement", &buffers.displacement}},
-                       static_cast<std::uint32_t>(vertices_.size()));
+  gl::ComputePass pass(
+      programs.compute("sim/step/prescribe.comp"),
+      {{"prescribed_vertex", &vertex_}, {"prescribed_target", &target_}, {"displacement", &buffers.displacement}},
+      static_cast<std::uint32_t>(vertices_.size()));
   pass.loops(0);
   return pass;
 }

@@ -87,8 +87,8 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   Pending& p = pending_[newest_];
   const std::size_t grab_bytes = grab.count() * sizeof(shared::vec4);
   const std::size_t probe_bytes = probe_ ? sizeof(shared::vec4) : 0;
-  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + centroid_partials_.bytes() + grab_bytes + probe_bytes +
-                            (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes() +
+  const std::size_t bytes = tet_partials_.bytes() + vertex_partials_.bytes() + centroid_partials_.bytes() + grab_bytes +
+                            probe_bytes + (stop_state ? stop_state->bytes() : 0) + contact.loads().bytes() +
                             contact.pairs().size() * sizeof(shared::vec4);
   if (p.staging.bytes() != bytes) p.staging = gl::Buffer::staging("diagnostics_staging", bytes);
   std::size_t offset = 0;

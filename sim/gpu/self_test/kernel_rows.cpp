@@ -69,8 +69,7 @@ double gradient_deviation(gl::ProgramCache& programs, MaterialModel law, bool qu
   const double squared = p.stage.length * p.stage.length;
   Eigen::VectorXd lag(3 * count);
   for (std::size_t v = 0; v < u.size(); ++v)
-    lag.segment<3>(3 * static_cast<Eigen::Index>(v)) =
-        u[v] - start[v] - (held[v] ? squared : 0.0) * model.gravity;
+    lag.segment<3>(3 * static_cast<Eigen::Index>(v)) = u[v] - start[v] - (held[v] ? squared : 0.0) * model.gravity;
   const Eigen::VectorXd all = reference::MassMatrix(model).times(lag) + squared * force;
   std::vector<Vector3d> expected(u.size(), Vector3d::Zero());
   for (std::size_t v = 0; v < u.size(); ++v)

@@ -50,7 +50,8 @@ VectorXd ForceBalance::weight(const Model& nearby) {
   set_materials(nearby);
   VectorXd all(static_cast<Index>(3 * model_.rest_positions.size()));
   const std::vector<double> masses = lumped_masses(model_);
-  for (std::size_t v = 0; v < masses.size(); ++v) all.segment<3>(static_cast<Index>(3 * v)) = masses[v] * nearby.gravity;
+  for (std::size_t v = 0; v < masses.size(); ++v)
+    all.segment<3>(static_cast<Index>(3 * v)) = masses[v] * nearby.gravity;
   return all;
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("a kernel that computes something else is named, and so is the first o
     const char *file, *line, *other, *kernels;
   };
   const Wrong wrong = GENERATE(
-      Wrong{"sim/step/predict.comp", "vec3 all = u + (drift + fall);", "vec3 all = u + (drift - fall);", "predict"},
+      Wrong{"sim/step/predict.comp", "vec3 all = u + (inertial + fall);", "vec3 all = u + (inertial - fall);", "predict"},
       Wrong{"sim/two_level/coarse_restrict.comp", "coarse_gradient[3u * j] = back.x;",
             "coarse_gradient[3u * j] = -back.x;", "block_inverse, coarse_*"});
   const OtherShaders shaders(wrong.file, wrong.line, wrong.other);

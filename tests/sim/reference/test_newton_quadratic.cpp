@@ -1,6 +1,6 @@
 // Boxes of quadratic tets by the reference solver: the patch test, momentum, supports, exports, the continuum's
 // deflection of a beam at every Poisson's ratio, orders of convergence, and another program.
-// Covers: elastic_system, measures
+// Covers: elastic_system, mass_matrix, measures
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -129,9 +129,8 @@ TEST_CASE("stages of quadratic tets balance the inertia of a body whose support 
   const auto count = static_cast<Eigen::Index>(model.rest_positions.size());
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * count, 3 * count);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
-    const LinearTet rest(
-        Corners{model.rest_positions[model.tets[t][0]], model.rest_positions[model.tets[t][1]],
-                model.rest_positions[model.tets[t][2]], model.rest_positions[model.tets[t][3]]});
+    const LinearTet rest(Corners{model.rest_positions[model.tets[t][0]], model.rest_positions[model.tets[t][1]],
+                                 model.rest_positions[model.tets[t][2]], model.rest_positions[model.tets[t][3]]});
     const ElementVertices nodes = model.element(t);
     for (std::size_t i = 0; i < 10; ++i)
       for (std::size_t j = 0; j < 10; ++j) {
