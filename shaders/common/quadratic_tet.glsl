@@ -53,6 +53,11 @@ PointGradients at_points(PointGradients corners) {
                    FETCH(field, FETCH(mid_edges, 2u * e + 1u).y).xyz)
 #define POINT_GRADIENTS(e, tet, field) at_points(CORNER_GRADIENTS(e, tet, field))
 
+// Mean of a vertex field in the middles of the edges of a tet, from their numbers.
+#define MEAN_OF_MIDDLES(field, m, n)                                                                                  \
+  ((FETCH(field, m.x).xyz + FETCH(field, m.y).xyz + FETCH(field, m.z).xyz + FETCH(field, m.w).xyz + FETCH(field, n.x).xyz + \
+    FETCH(field, n.y).xyz) / 6.0)
+
 // Element q of four, and its new value. Graphics cards' compilers leave a loop that has no computed index as it is, and
 // hold the numbers of one point at a time; on others such a loop is unrolled.
 #if SUMS_IN_GROUPS
@@ -85,8 +90,9 @@ mat3 at_point(PointGradients corners, int q) {
 // point and read the vertices again for the next, since those of all points are more than the registers of some; HELD
 // has no gradients there. APART: a statement whose instructions do not mix with those around it, since it stands behind
 // a condition, always true, that compilers do not know; what it needed is free behind it.
+#define NO_GRADIENTS PointGradients(mat3[4](mat3(0.0), mat3(0.0), mat3(0.0), mat3(0.0)))
 #if SUMS_IN_GROUPS
-#define HELD(e, tet, field) PointGradients(mat3[4](mat3(0.0), mat3(0.0), mat3(0.0), mat3(0.0)))
+#define HELD(e, tet, field) NO_GRADIENTS
 #define AT_POINT(held, e, tet, q, field) at_point(CORNER_GRADIENTS(e, tet, field), q)
 #define APART(tet, statement) if (tet.volume > 0.0) { statement }
 #else

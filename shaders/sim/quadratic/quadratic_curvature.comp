@@ -109,11 +109,6 @@ void add_terms(uint e, int q, Tet tet, Held held, vec4 material, vec4 pointwise,
 #endif
 }
 
-// Mean of a vertex field in the middles of the edges of tet e.
-#define MEAN_OF_MIDDLES(field, m, n)                                                                                  \
-  ((FETCH(field, m.x).xyz + FETCH(field, m.y).xyz + FETCH(field, m.z).xyz + FETCH(field, m.w).xyz + FETCH(field, n.x).xyz + \
-    FETCH(field, n.y).xyz) / 6.0)
-
 vec3 inertia_of(uint e) {
   uvec4 m = FETCH(mid_edges, 2u * e);
   uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;

@@ -12,21 +12,31 @@ INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u t
 #endif
 INPUT_VEC4(PredictedCentroid, predicted_centroid)  // [quadratic_count] xyz u~ [m], w mass [kg]
 
+PointGradients point_gradients(uint e, Tet tet) {
+  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
+  return at_points(corner_gradients(tet, displacement_of(tet.v.x), displacement_of(tet.v.y), displacement_of(tet.v.z),
+                                    displacement_of(tet.v.w), displacement_of(m.x), displacement_of(m.y), displacement_of(m.z),
+                                    displacement_of(m.w), displacement_of(n.x), displacement_of(n.y)));
+}
+
+// How far the centroid is from its u~, by differences, so that a translation costs no accuracy; w mass.
+vec4 lag_of_centroid(uint e) {
+  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
+  vec4 center = FETCH(predicted_centroid, e);
+  vec3 sum = (displacement_of(m.x) - center.xyz) + (displacement_of(m.y) - center.xyz) + (displacement_of(m.z) - center.xyz) +
+             (displacement_of(m.w) - center.xyz) + (displacement_of(n.x) - center.xyz) + (displacement_of(n.y) - center.xyz);
+  return vec4(sum / 6.0, center.w);
+}
+
 void main() {
   ITEM_OR_RETURN(e)
   uint t = FIRST_QUADRATIC + e;
   Tet tet = load_tet(t);
-  uvec4 m = FETCH(mid_edges, 2u * e);
-  uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
-  vec3 m01 = displacement_of(m.x), m12 = displacement_of(m.y), m02 = displacement_of(m.z), m03 = displacement_of(m.w),
-       m13 = displacement_of(n.x), m23 = displacement_of(n.y);
-  vec4 center = FETCH(predicted_centroid, e);
-  // Differences, so that a translation costs no accuracy
-  vec3 lag = ((m01 - center.xyz) + (m12 - center.xyz) + (m02 - center.xyz) + (m03 - center.xyz) + (m13 - center.xyz) +
-              (m23 - center.xyz)) / 6.0;
-  vec3 inertia = center.w / 6.0 * lag;  // share of a middle
-  PointGradients h = at_points(corner_gradients(tet, displacement_of(tet.v.x), displacement_of(tet.v.y), displacement_of(tet.v.z),
-                                                displacement_of(tet.v.w), m01, m12, m02, m03, m13, m23));
+  // Apart, or the displacements would stay in registers until they are needed again.
+  PointGradients h = NO_GRADIENTS;
+  APART(tet, h = point_gradients(e, tet);)
 #if COMPENSATED
   PointGradients low = POINT_GRADIENTS(e, tet, displacement_low);
   for (int q = 0; q < 4; ++q) h.at[q] += low.at[q];
@@ -38,8 +48,11 @@ void main() {
   float energy = respond(e, h, material);
   QuadraticForces f = forces_of(tet, h);  // by now, the stresses
   float scale = SUBSTEP * SUBSTEP * tet.volume;
+  vec4 lag = vec4(0.0);
+  APART(tet, lag = lag_of_centroid(e);)
+  vec3 inertia = lag.w / 6.0 * lag.xyz;  // share of a middle
   uvec4 slot = FETCH(quadratic_slots, 3u * e);
-  correction[slot.x] = vec4(scale * f.corner[0], scale * energy + 3.0 * dot(inertia, lag));
+  correction[slot.x] = vec4(scale * f.corner[0], scale * energy + 3.0 * dot(inertia, lag.xyz));
   STORE3(correction[slot.y], scale * f.corner[1])
   STORE3(correction[slot.z], scale * f.corner[2])
   STORE3(correction[slot.w], scale * f.corner[3])

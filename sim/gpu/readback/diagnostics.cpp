@@ -49,14 +49,21 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
     gl::ComputePass::Constants constants = constants_of_quadratic(buffers);
     constants.insert(constants.end(),
                      {{"quadratic_count", buffers.quadratic_count}, {"first_partial", pair_partial_count_}});
-    tet.insert(tet.end(), {{"rest_position", &buffers.rest_position},
-                           {"velocity", &buffers.velocity},
-                           {"predicted", &buffers.predicted},
-                           {"predicted_centroid", &buffers.predicted_centroid},
-                           {"centroid_partials", &centroid_partials_}});
     passes_.emplace_back(
         programs.compute("sim/quadratic/quadratic_diagnose.comp", defines_of_quadratic(defines_of(features), buffers)),
         with_quadratic_slots(tet, buffers), quadratic_partial_count_, std::move(constants));
+    constants = constants_of_quadratic(buffers);
+    constants.emplace_back("quadratic_count", buffers.quadratic_count);
+    passes_.emplace_back(programs.compute("sim/quadratic/centroid_diagnose.comp", defines_of_quadratic({}, buffers)),
+                         with_quadratic_slots({{"step", &buffers.step},
+                                               {"rest_position", &buffers.rest_position},
+                                               {"displacement", &buffers.displacement},
+                                               {"velocity", &buffers.velocity},
+                                               {"predicted", &buffers.predicted},
+                                               {"predicted_centroid", &buffers.predicted_centroid},
+                                               {"centroid_partials", &centroid_partials_}},
+                                              buffers),
+                         quadratic_partial_count_, std::move(constants));
   }
   for (const EnergyTerm* term : terms)
     if (term->acts())
