@@ -12,8 +12,9 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 constexpr double kSkin = 0.1;  // of the mean edge: wide enough for what a penalty lets in when bodies meet
-// Of the skin: pairs that start closer, as bodies that a scene sets on each other, are parted by this much in a step.
-constexpr double kParting = 0.25;
+// Pairs that start closer than the skin, as bodies that a scene sets on each other, are parted by at most this much of it
+// in a step, and within this time: what parts faster than it must jumps apart.
+constexpr double kParting = 0.25, kPartingTime = 0.5;  // of the skin; [s]
 // Sine of the angle between the normals at an edge, above which it can touch another one.
 constexpr double kSharp = 0.005;
 
@@ -231,7 +232,9 @@ std::vector<PairRow> PairSearch::find_pairs() {
     row.before = normal_[row.slot];
     row.kept = whole_[row.slot] ? 1 : kept_share_of(row);
     const double gap = row.normal.dot(x);
-    row.gap = gap - std::min(skin_, gap + kParting * skin_);
+    // Where lambda counts in part only, in short stages, depth carries the rest.
+    const double parting = std::min(kParting, length_ / kPartingTime + (1 - row.kept) * kParting);
+    row.gap = gap - std::min(skin_, gap + parting * skin_);
     for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy
       std::swap(row.vertices[0], row.vertices[k]);
       std::swap(row.weights[0], row.weights[k]);
