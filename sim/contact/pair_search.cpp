@@ -12,8 +12,8 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 constexpr double kSkin = 0.1;  // of the mean edge: wide enough for what a penalty lets in when bodies meet
-// Pairs that start closer than the skin, as bodies that a scene sets on each other, are parted by at most this much of it
-// in a step, and within this time: what parts faster than it must jumps apart.
+// Pairs that start closer than the skin, as bodies that a scene sets on each other, are parted by at most this much of
+// it in a step, and within this time: what parts faster than it must jumps apart.
 constexpr double kParting = 0.25, kPartingTime = 0.5;  // of the skin; [s]
 // Sine of the angle between the normals at an edge, above which it can touch another one.
 constexpr double kSharp = 0.005;

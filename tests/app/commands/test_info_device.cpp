@@ -48,10 +48,10 @@ TEST_CASE("a kernel that computes something else is named, and so is the first o
   struct Wrong {
     const char *file, *line, *other, *kernels;
   };
-  const Wrong wrong = GENERATE(
-      Wrong{"sim/step/predict.comp", "vec3 all = u + (inertial + fall);", "vec3 all = u + (inertial - fall);", "predict"},
-      Wrong{"sim/two_level/coarse_restrict.comp", "coarse_gradient[3u * j] = back.x;",
-            "coarse_gradient[3u * j] = -back.x;", "block_inverse, coarse_*"});
+  const Wrong wrong = GENERATE(Wrong{"sim/step/predict.comp", "vec3 all = u + (inertial + fall);",
+                                     "vec3 all = u + (inertial - fall);", "predict"},
+                               Wrong{"sim/two_level/coarse_restrict.comp", "coarse_gradient[3u * j] = back.x;",
+                                     "coarse_gradient[3u * j] = -back.x;", "block_inverse, coarse_*"});
   const OtherShaders shaders(wrong.file, wrong.line, wrong.other);
   const CommandResult result = tested(shaders.folder.path().string());
   INFO(result.out << result.err);

@@ -75,8 +75,8 @@ TEST_CASE("bodies collide on the GPU as in the reference, step by step from the 
   CHECK((momentum - Vector3d(-8, 0, 0)).norm() < 1e-5 * 8);
 }
 
-// They touch at the start, where the skin between them should be. With steps that part them by a quarter of the skin they
-// left each other with 10 to 38 skins a second.
+// They touch at the start, where the skin between them should be. With steps that part them by a quarter of the skin
+// they left each other with 10 to 38 skins a second.
 TEST_CASE("bodies that begin nearer than the skin part slowly", "[gpu][contact]") {
   test::Gpu gpu;
   SolverSettings settings = awake(10);
