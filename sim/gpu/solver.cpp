@@ -34,6 +34,7 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       model_(placed(model, placement)),
       settings_(settings),
       parts_(unconstrained_parts(model_, model_.held())),
+      part_translations_(parts_),
       features_(features_of(model)),
       buffers_(model_, std::move(placement)),
       motions_(model_),

@@ -15,6 +15,7 @@
 #include "sim/gpu/acceleration/stop_rule.h"
 #include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/contact/tool_watch.h"
+#include "sim/gpu/integrators/part_translations.h"
 #include "sim/gpu/integrators/stage.h"
 #include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
@@ -213,6 +214,7 @@ class GpuSolver {
   Model model_;  // given_ in the order of placed(), which all members below use; materials and gravity follow
   SolverSettings settings_;
   UnconstrainedParts parts_;
+  PartTranslations part_translations_;
   Features features_;
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;

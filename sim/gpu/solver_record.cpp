@@ -69,7 +69,7 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
 Start GpuSolver::start() {
   if (!method_->starts_without_gravity() || parts_.held_parts == 0) return {};
   if (parts_.parts == 0) return {false};
-  if (!unconstrained_) unconstrained_ = gl::Buffer("unconstrained", parts_.unconstrained);
+  if (!unconstrained_) unconstrained_ = gl::Buffer("unconstrained", parts_.part);
   return {false, &unconstrained_};
 }
 
@@ -119,6 +119,9 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
     before_every_ = stop_->interval();
   }
   append(passes.end, r.endings());
+  const bool alone = std::none_of(r.terms.begin(), r.terms.end(), [](const EnergyTerm* term) { return term->acts(); });
+  if (method_->descends() && !active && alone && !part_translations_.empty() && !buffers_.displacement_low)
+    append(passes.end, part_translations_.passes(r));
   passes.end.push_back(velocity_update(r));
   if (!fuses_ || (active && !programs_.fusing_rare()))
     for (const Passes* list : passes.lists())

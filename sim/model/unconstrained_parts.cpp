@@ -24,7 +24,8 @@ UnconstrainedParts unconstrained_parts(const Model& model, const std::vector<cha
   for (std::uint32_t v = 0; v < parent.size(); ++v)
     if (held[v]) supported[root_of(v)] = 1;
   UnconstrainedParts unconstrained;
-  unconstrained.unconstrained.assign(parent.size(), 0);
+  unconstrained.part.assign(parent.size(), 0);
+  std::vector<std::uint32_t> number(parent.size(), 0);  // [root]
   for (std::uint32_t v = 0; v < parent.size(); ++v) {
     if (!used[v]) continue;
     const std::uint32_t root = root_of(v);
@@ -33,8 +34,8 @@ UnconstrainedParts unconstrained_parts(const Model& model, const std::vector<cha
       continue;
     }
     if (unconstrained.vertices++ == 0) unconstrained.first = v;
-    unconstrained.unconstrained[v] = 1;
-    unconstrained.parts += v == root;
+    if (number[root] == 0) number[root] = static_cast<std::uint32_t>(++unconstrained.parts);
+    unconstrained.part[v] = number[root];
   }
   return unconstrained;
 }

@@ -12,9 +12,9 @@ namespace fascia {
 
 struct UnconstrainedParts {
   std::size_t parts = 0, vertices = 0;
-  std::uint32_t first = 0;                   // the first vertex in them
-  std::size_t held_parts = 0;                // constrained components
-  std::vector<std::uint32_t> unconstrained;  // [vertex_count] 1 in unconstrained components
+  std::uint32_t first = 0;          // the first vertex in them
+  std::size_t held_parts = 0;       // constrained components
+  std::vector<std::uint32_t> part;  // [vertex_count] number of the unconstrained component, from 1; else 0
 };
 /// `held` [vertex_count]: 1 for constrained vertices.
 UnconstrainedParts unconstrained_parts(const Model& model, const std::vector<char>& held);

@@ -75,7 +75,7 @@ struct NewtonSolver::Impl {
         pairs(model),
         loads(model.tools.size()) {
     const UnconstrainedParts free = unconstrained_parts(model, model.held());
-    falls.assign(free.unconstrained.begin(), free.unconstrained.end());
+    for (const std::uint32_t part : free.part) falls.push_back(part != 0);
   }
 
   NewtonReport solve(const IntegratorStage& stage, const ToolMotion& motion, State& state);

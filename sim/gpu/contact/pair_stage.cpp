@@ -15,7 +15,7 @@ using shared::vec4;
 PairStage::PairStage(const Model& model) : model_(model), search_(model) {
   if (empty()) return;
   const UnconstrainedParts free = unconstrained_parts(model, model.held());
-  falls_.assign(free.unconstrained.begin(), free.unconstrained.end());
+  for (const std::uint32_t part : free.part) falls_.push_back(part != 0);
 }
 
 void PairStage::materials_changed(const Model& model, std::span<ContactForce> memory) {

@@ -28,7 +28,7 @@ std::vector<char> held(const std::vector<std::uint32_t>& vertices) {
   return all;
 }
 
-using Flags = std::vector<std::uint32_t>;
+using Numbers = std::vector<std::uint32_t>;
 
 }  // namespace
 
@@ -39,14 +39,14 @@ TEST_CASE("a part is what tets connect, and one held vertex holds all of it") {
   CHECK(all.vertices == 16);
   CHECK(all.first == 0);
   CHECK(all.held_parts == 0);
-  CHECK(all.unconstrained == Flags{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0});
+  CHECK(all.part == Numbers{1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 0});
 
   const UnconstrainedParts some = unconstrained_parts(model, held({4, 15}));
   CHECK(some.parts == 1);
   CHECK(some.vertices == 4);
   CHECK(some.first == 5);
   CHECK(some.held_parts == 2);
-  CHECK(some.unconstrained == Flags{0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(some.part == Numbers{0, 0, 0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
 
   const UnconstrainedParts none = unconstrained_parts(model, held({0, 5, 9}));
   CHECK(none.parts == 0);
