@@ -161,6 +161,10 @@ void BodyTranslations::begin(const std::vector<VertexStiffness>& springs) {
   for (const VertexStiffness& spring : springs) free_[at_place_[spring.vertex]] = 0;
 }
 
+bool BodyTranslations::empty() const {
+  return std::none_of(free_.begin(), free_.end(), [](char free) { return free; });
+}
+
 bool BodyTranslations::move(const ContactEnergy& contact, const std::vector<Vector3d>& predicted, double length,
                             std::vector<Vector3d>& u) const {
   std::vector<BodyInertia> bodies(free_.size());

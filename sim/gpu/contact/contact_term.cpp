@@ -233,7 +233,7 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
 }
 
 void ContactTerm::translate_bodies(SimBuffers& buffers) const {
-  if (pairs_.rows().empty()) return;
+  if (pairs_.empty() || translations_.empty()) return;
   std::vector<Vector3d> u = buffers.download_vectors(buffers.displacement);
   ContactMemory before = buffers.contact_forces(buffers.contact_before);
   for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;

@@ -37,8 +37,8 @@ class ContactTerm : public EnergyTerm {
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
-  /// After the iterations of a stage: moves bodies that touch others as wholes (body_translations.h). Waits for the GPU
-  /// where there are pairs.
+  /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes
+  /// (body_translations.h), if tissue may touch tissue. Waits for the GPU then.
   void translate_bodies(SimBuffers& buffers) const;
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
