@@ -12,9 +12,12 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 constexpr double kSkin = 0.1;  // of the mean edge: wide enough for what a penalty lets in when bodies meet
-// Pairs that start closer than the skin, as bodies that a scene sets on each other, are parted by at most this much of
-// it in a step, and within this time: what parts faster than it must jumps apart.
-constexpr double kParting = 0.25, kPartingTime = 0.5;  // of the skin; [s]
+// Of the skin: pairs that start closer are parted by this much in a step.
+constexpr double kParting = 0.25;
+// Bodies that a scene sets on each other, nearer than the skin and hardly moving, part by the skin in this time [s]:
+// what parts faster than it must jumps apart. Until twice that. What meets later has to part fast.
+constexpr double kSlowParting = 0.5;
+constexpr double kHardlyMoving = 0.1;  // [s] in which they may close by the skin
 // Sine of the angle between the normals at an edge, above which it can touch another one.
 constexpr double kSharp = 0.005;
 
@@ -54,6 +57,22 @@ PairSearch::PairSearch(const Model& model) : self_(model.contact.self), bodies_(
   first_guard_ = first_slot_of_edge(static_cast<std::uint32_t>(edges_.size()));
   slot_count_ = first_guard_ + static_cast<std::uint32_t>(vertices_.size() + edges_.size());
   materials_changed(model);
+  find_set_on_each_other(model);
+}
+
+void PairSearch::find_set_on_each_other(const Model& model) {
+  if (!bodies_ || model.bodies.size() < 2) return;
+  std::vector<Vector3d> velocity(model.bodies.size(), Vector3d::Zero());  // of all
+  for (std::uint32_t v = 0; v < rest_.size(); ++v)
+    velocity[body_of_[v]] += model.initial_velocity[v] / static_cast<double>(model.bodies[body_of_[v]].vertex_count);
+  const std::vector<Vector3d> still(rest_.size(), Vector3d::Zero());
+  for (const PairRow& row : find(still, still, {})) {
+    double gap = 0;
+    for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(rest_[row.vertices[k]]);
+    const double closing = (velocity[row.bodies[0]] - velocity[row.bodies[1]]).norm();
+    if (row.bodies[0] != row.bodies[1] && gap < skin_ && closing * kHardlyMoving < skin_)
+      set_on_each_other_.insert(std::minmax(row.bodies[0], row.bodies[1]));
+  }
 }
 
 void PairSearch::materials_changed(const Model& model, std::span<ContactForce> memory) {
@@ -161,9 +180,10 @@ std::vector<char> PairSearch::carried(std::span<const ContactForce> before) cons
 }
 
 std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
-                                      std::span<const ContactForce> before, double length) {
+                                      std::span<const ContactForce> before, double length, double time) {
   cuts_ = false;
   length_ = length;
+  time_ = time;
   whole_.assign(slot_count_, 0);
   if (empty()) return {};
   normal_.assign(slot_count_, 0);
@@ -232,8 +252,10 @@ std::vector<PairRow> PairSearch::find_pairs() {
     row.before = normal_[row.slot];
     row.kept = whole_[row.slot] ? 1 : kept_share_of(row);
     const double gap = row.normal.dot(x);
-    // Where lambda counts in part only, in short stages, depth carries the rest.
-    const double parting = std::min(kParting, length_ / kPartingTime + (1 - row.kept) * kParting);
+    double parting = kParting;
+    if (time_ < 2 * kSlowParting && set_on_each_other_.contains(std::minmax(row.bodies[0], row.bodies[1])))
+      // Where lambda counts in part only, in short stages, depth carries the rest.
+      parting = std::min(kParting, length_ / kSlowParting + (1 - row.kept) * kParting);
     row.gap = gap - std::min(skin_, gap + parting * skin_);
     for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy
       std::swap(row.vertices[0], row.vertices[k]);

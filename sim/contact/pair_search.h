@@ -20,7 +20,9 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/contact/box_tree.h"
@@ -51,10 +53,12 @@ class PairSearch {
   /// where gravity alone would lead it, edges would meet what they slide over.
   std::vector<char> carried(std::span<const ContactForce> before) const;
   /// The pairs of a step, by ascending slot. `start` and `end`: displacements [vertex_count] at the start, and where
-  /// velocities lead [m]; `before` [row_count]: the memory that the step before left; `length`: of the stage [s].
+  /// velocities lead [m]; `before` [row_count]: the memory that the step before left; `length`: of the stage [s];
+  /// `time`: at its start [s].
   std::vector<PairRow> find(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
                             std::span<const ContactForce> before,
-                            double length = std::numeric_limits<double>::infinity());
+                            double length = std::numeric_limits<double>::infinity(),
+                            double time = std::numeric_limits<double>::infinity());
 
   /// After find(), with the result of its step: whether the step must be solved again, since an edge of the surface
   /// goes through a triangle that it did not go through at the start, a pair was pressed in by most of the skin, or
@@ -100,6 +104,7 @@ class PairSearch {
   static std::optional<Crossing> crossing_of(const Eigen::Vector3d& a, const Eigen::Vector3d& along_a,
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
   std::vector<PairRow> find_pairs();
+  void find_set_on_each_other(const Model& model);
   double kept_share_of(const PairRow& row) const;
   /// Of the two sides of a pair [m/Pa]. A guard does not know what it met (PairRow::met 0): twice that of its slot.
   double softness_between(const std::vector<double>& softness, std::uint32_t slot, double met) const;
@@ -154,9 +159,10 @@ class PairSearch {
 
   bool self_ = false, bodies_ = false;
   double skin_ = 0, edge_ = 0;  // [m]; edge: the mean length of edges
-  double penalty_ = 0, length_ = 0;
-  std::vector<double> masses_;                                       // [vertex_count] [kg]
-  std::uint32_t slot_count_ = 0, body_slots_ = 0, first_guard_ = 0;  // slots of guards: vertices, then edges
+  double penalty_ = 0, length_ = 0, time_ = 0;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> set_on_each_other_;  // bodies, the lower one first
+  std::vector<double> masses_;                                           // [vertex_count] [kg]
+  std::uint32_t slot_count_ = 0, body_slots_ = 0, first_guard_ = 0;      // slots of guards: vertices, then edges
   std::vector<Eigen::Vector3d> rest_;
   std::vector<char> held_;
   std::vector<Triangle> triangles_;

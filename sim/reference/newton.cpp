@@ -83,7 +83,8 @@ struct NewtonSolver::Impl {
   /// Of a step from `start` under the forces in `memory`; `end`: where velocities lead, if anything `moves`.
   std::shared_ptr<const ContactEnergy> contact_from(const VectorXd& start, const std::vector<Vector3d>& end,
                                                     const std::vector<double>& stiffness, const ToolMotion& motion,
-                                                    ContactMemory& memory, const IntegratorStage* stage = nullptr) {
+                                                    ContactMemory& memory, const IntegratorStage* stage = nullptr,
+                                                    double time = 0) {
     memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
     std::vector<Vector3d> path = end;
@@ -97,7 +98,7 @@ struct NewtonSolver::Impl {
     }
     if (kept_in != stage->length) kept = kept_shares(model, contact, stiffness, kept_in = stage->length);
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                           pairs.find(vectors_of(start), path, before, stage->length), end, kept);
+                                           pairs.find(vectors_of(start), path, before, stage->length, time), end, kept);
   }
   /// After pairs.misses().
   std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const std::vector<double>& stiffness,
@@ -218,7 +219,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
     for (std::size_t v = 0; v < aim.size(); ++v)
       if (falls[v]) aim[v] += fall_in(stage);
     place_prescribed(model, state.time + stage.duration, aim);
-    potential.contact = contact_from(old, aim, penalty, motion, state.contact, &stage);
+    potential.contact = contact_from(old, aim, penalty, motion, state.contact, &stage, state.time);
   }
 
   // The inertial prediction is the better start, but not if it inverts tets.

@@ -24,6 +24,7 @@ void PairStage::materials_changed(const Model& model, std::span<ContactForce> me
 
 void PairStage::begin(double time, const IntegratorStage& stage, SimBuffers& buffers, std::uint32_t first_row) {
   const double duration = duration_ = stage.duration;
+  start_time_ = time - duration;
   length_ = stage.length;
   start_ = buffers.download_vectors(buffers.displacement);
   const std::vector<Vector3d> velocity = buffers.download_vectors(buffers.velocity);
@@ -70,7 +71,7 @@ void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
   const std::vector<char> carried = search_.carried(forces);
   for (std::size_t v = 0; v < path.size(); ++v)
     if (falls_[v] && carried[v]) path[v] -= duration_ * duration_ * model_.gravity;
-  rows_ = timed([&] { return search_.find(start_, path, forces, length_); });
+  rows_ = timed([&] { return search_.find(start_, path, forces, length_, start_time_); });
   upload_forces(buffers, first_row);
 }
 

@@ -53,7 +53,7 @@ class PairStage {
 
   const Model& model_;  // its materials may change
   PairSearch search_;
-  double search_ms_ = 0, duration_ = 0, length_ = 0;
+  double search_ms_ = 0, start_time_ = 0, duration_ = 0, length_ = 0;
   long taken_back_ = 0;
   std::vector<PairRow> rows_;
   std::vector<shared::vec4> before_;  // [row] that the step before left: of forces xyz friction, w the normal one [N]
