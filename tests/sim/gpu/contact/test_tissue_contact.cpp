@@ -99,6 +99,34 @@ TEST_CASE("bodies that begin nearer than the skin part slowly", "[gpu][contact]"
   CHECK(speed < 4 * skin);
 }
 
+// Pairs that part slowly after a hit are pressed in further by what follows: 4 to 5 % of the energy were missing so.
+TEST_CASE("a heavy body that hits a soft one has the energy of exact steps", "[gpu][contact]") {
+  test::Gpu gpu;
+  Material light = soft_tissue(5e4), heavy = soft_tissue(5e4);
+  light.damping = heavy.damping = 0.01;
+  heavy.density = 5000;
+  const Model slab =
+      test::make_model(make_box(8, 3, 3, {0.3, 0.06, 0.1}), light, [](const Vector3d& x) { return x.x() < 1e-9; });
+  const Model cube =
+      test::make_model(make_box(4, 4, 4, {0.08, 0.08, 0.08}), heavy, [](const Vector3d&) { return false; });
+  Model model = test::beside(slab, test::moved(cube, {0.1, 0.1, 0.013}, {0, -3, 0}), "cube");
+  model.contact.thickness = 0.0015;
+  SolverSettings settings = awake(20);
+  settings.integrator = Integrator::bdf2;
+  settings.time_step = 0.01;
+  GpuSolver solver(gpu.programs, model, settings);
+  reference::NewtonSolver exact(model, settings);
+  State reference = initial_state(model);
+  for (int i = 0; i < 12; ++i) {
+    solver.step();
+    exact.step(reference);
+    const double kinetic = reference::measure(model, solver.download()).kinetic,
+                 expected = reference::measure(model, reference).kinetic;
+    CAPTURE(i, kinetic, expected);
+    CHECK(kinetic == Approx(expected).epsilon(0.02));
+  }
+}
+
 // It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 %
 // on llvmpipe, and once 1.1 % on an H100, whose other rounding lets other points touch first.
 TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
