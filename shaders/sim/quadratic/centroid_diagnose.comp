@@ -1,4 +1,4 @@
-// What moves at the centroids of quadratic tets: its share of the momentum, of the energy and of the inertia, of which
+// What moves at the centroids of quadratic tets: its share of angular momentum, kinetic energy and inertia, of which
 // every free middle's slot receives its part, -M (u - u~). After quadratic_diagnose, before diagnose_vertex.
 #include "common/io.glsl"
 #include "common/step.glsl"

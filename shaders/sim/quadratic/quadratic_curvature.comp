@@ -1,8 +1,8 @@
 // Curvature of the elastic energy of quadratic tets along z_f and z_c, as subspace_curvature computes it for linear
 // ones: sums over the tets of l^2 times
 //   V [mean dF_i : d^2 Psi/dF^2 : dF_j + K (mean theta) mean d^2 theta(dF_i, dF_j) + K (mean dtheta(dF_i)) (mean dtheta(dF_j))]
-// and with damping the viscous part, and over what moves at their centroids of M z_i . z_j. With DEFERRED it computes the terms of the tets that quadratic_force deferred. With
-// LAST_GROUP the last work group also does the work of subspace_solve.
+// and with damping the viscous part, and of M z_i . z_j of what moves at their centroids. With DEFERRED it computes the
+// terms of the tets that quadratic_force deferred. With LAST_GROUP the last work group also does the work of subspace_solve.
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "common/step.glsl"

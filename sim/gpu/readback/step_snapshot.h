@@ -9,12 +9,11 @@
 namespace fascia {
 
 struct SolvedStep {
-  std::vector<Eigen::Vector3d> previous;  // [vertex_count] u at the start of the stage [m]
-  std::vector<Eigen::Vector3d> from;      // [vertex_count] u* [m]
-  std::vector<Eigen::Vector3d>
-      predicted;  // [vertex_count] u~, by inertia and gravity alone, of constrained ones by inertia [m]
-  std::vector<Eigen::Vector3d> solution;  // [vertex_count] u at the end of the stage [m]
-  ContactMemory contact;                  // at the start of the stage
+  std::vector<Eigen::Vector3d> previous;   // [vertex_count] u at the start of the stage [m]
+  std::vector<Eigen::Vector3d> from;       // [vertex_count] u* [m]
+  std::vector<Eigen::Vector3d> predicted;  // [vertex_count] u~ [m], of constrained ones without gravity
+  std::vector<Eigen::Vector3d> solution;   // [vertex_count] u at the end of the stage [m]
+  ContactMemory contact;                   // at the start of the stage
 };
 
 class StepSnapshot {
