@@ -175,7 +175,7 @@ void GpuSolver::set_settings(const SolverSettings& settings) {
   before = settings_;
   settings_ = settings;
   if (same_step) {
-    upload_step(next_stages().front());
+    upload_step(stage_);
     return;
   }
   if (!same_passes) try {
@@ -264,7 +264,14 @@ void GpuSolver::follow(const GpuSolver& leader) {
 }
 
 void GpuSolver::request_diagnostics() {
-  diagnostics_.request(grab_, contact_, stage_.length, time_, stop_ ? &stop_->state() : nullptr);
+  diagnostics_.request(grab_, contact_, stage_.length, time_, stop_ ? &stop_->state() : nullptr, has_step_);
+}
+
+State GpuSolver::download() const {
+  State state = buffers_.download_state(time_, earlier_step_);
+  if (buffers_.has_quadratic() && has_step_)
+    state.acceleration = buffers_.download_accelerations(model_.gravity, stage_.length);
+  return state;
 }
 
 void GpuSolver::set_compensated(bool compensated) {

@@ -113,7 +113,7 @@ class GpuSolver {
   /// Steps once more, with contact if the last step had none and the other way round. For filling a driver's cache.
   void run_contact_kernels();
 
-  State download() const { return buffers_.download_state(time_, earlier_step_); }
+  State download() const;
   State download_valid() const { return guard_.download(buffers_); }  // the state of restore_valid()
   void upload(const State& state);
   /// Stores displacements in two floats each, for static equilibria: methods that descend the energy then accumulate

@@ -152,6 +152,7 @@ reference::NewtonReport march_to_equilibrium(GpuSolver& solver, const Model& mod
   }
   report.converged = report.relative_residual <= goal.tolerance;
   for (Eigen::Vector3d& v : best.velocity) v.setZero();
+  best.acceleration.clear();
   best.time = path.end;
   as_before.restore();
   solver.upload(best);

@@ -31,6 +31,8 @@ struct IntegratorStage {
   Vector inertia(const Vector& mass) const { return mass / (length * length); }
   /// v [m/s] at the end of the stage, from u there and u*.
   Vector velocity(const Vector& u, const Vector& start) const { return (u - start) / length; }
+  /// dv/dt [m/s^2] in the stage, from v at its end and v*.
+  Vector acceleration(const Vector& v, const Vector& start) const { return (v - start) / length; }
 
   bool operator==(const IntegratorStage&) const = default;
 };

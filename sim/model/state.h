@@ -36,6 +36,9 @@ struct State {
     double step = 0;  // length of that substep [s]; 0: unknown
   };
   Earlier earlier = {};
+  /// [vertex_count] dv/dt in the last stage [m/s^2], of models with quadratic tets: supports accelerate what moves at
+  /// centroids (MovingMasses in sim/model/model.h). Empty: unknown, or zero.
+  std::vector<Eigen::Vector3d> acceleration = {};
   ContactMemory contact = {};     // forces that the step before left
   std::vector<LedTool> led = {};  // tools that left their paths
 };

@@ -23,6 +23,23 @@ QuadraticTet::Nodes gather(const std::vector<Vector3d>& vectors, const ElementVe
   return nodes;
 }
 
+/// Calls add(vertex, force) for held vertices beside free ones in the middles of a tet: what each passes on to the mass
+/// at the centroid [N], of MovingMasses::centroid.
+template <class Add>
+void pass_on_inertia(const Model& model, const State& state, const std::vector<double>& centroid, const Add& add) {
+  if (state.acceleration.empty()) return;
+  const std::vector<char> held = model.held();
+  for (std::size_t t = 0; t < centroid.size(); ++t) {
+    if (centroid[t] == 0) continue;
+    const MidEdges& middles = model.mid_edges[t];
+    if (std::all_of(middles.begin(), middles.end(), [&](std::uint32_t v) { return held[v]; })) continue;
+    Vector3d force(0, 0, 0);
+    for (const std::uint32_t v : middles) force += centroid[t] / 36 * state.acceleration[v];
+    for (const std::uint32_t v : middles)
+      if (held[v]) add(v, force);
+  }
+}
+
 LinearTet corners_at_rest(const Model& model, std::size_t t) {
   return LinearTet(gather(model.rest_positions, model.tets[t]));
 }
@@ -107,6 +124,8 @@ Measures measure(const Model& model, const State& state) {
     result.gravitational -= mass[v] * model.gravity.dot(state.displacement[v]);
     if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
   }
+  pass_on_inertia(model, state, moving.centroid,
+                  [&](std::uint32_t, const Vector3d& force) { result.fixed_reaction += force; });
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const LinearTet rest = corners_at_rest(model, t);
     const TetForces forces = forces_of(model, rest, state, t);
@@ -154,6 +173,9 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
   const std::vector<double> mass = lumped_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v)
     if (support_of[v] != kFree) supports[support_of[v]].force -= mass[v] * model.gravity;
+  if (!state.acceleration.empty())
+    pass_on_inertia(model, state, moving_masses(model).centroid,
+                    [&](std::uint32_t v, const Vector3d& force) { supports[support_of[v]].force += force; });
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const ElementVertices element = model.element(t);
     if (std::all_of(element.begin(), element.end(), [&](std::uint32_t v) { return support_of[v] == kFree; })) continue;

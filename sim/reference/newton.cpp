@@ -207,7 +207,8 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   const VectorXd start = stage.extrapolated(old, earlier);
   Potential potential;
   potential.inertia = stage.inertia(moving.own());
-  potential.target = stage.predicted(start, stage.extrapolated(velocity, flat(state.earlier.velocity)), gravity);
+  const VectorXd start_velocity = stage.extrapolated(velocity, flat(state.earlier.velocity));
+  potential.target = stage.predicted(start, start_velocity, gravity);
   potential.coupled = {&moving, 1 / (stage.length * stage.length), potential.target};
   potential.start = start;
   potential.force = VectorXd::Zero(old.size());
@@ -241,7 +242,9 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   if (again == PairSearch::kMostSearches || pairs.cuts())
     if (const auto back = pairs.taken_back(state.displacement, vectors_of(u), lumped_masses(model))) u = flat(*back);
   state.earlier.displacement = std::exchange(state.displacement, vectors_of(u));
-  state.earlier.velocity = std::exchange(state.velocity, vectors_of(stage.velocity(u, start)));
+  const VectorXd end_velocity = stage.velocity(u, start);
+  state.earlier.velocity = std::exchange(state.velocity, vectors_of(end_velocity));
+  if (!moving.is_diagonal()) state.acceleration = vectors_of(stage.acceleration(end_velocity, start_velocity));
   state.time += stage.duration;
   if (potential.contact) {
     read_out(potential.contact, u);
@@ -329,6 +332,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
   if (touches()) settle_forces(potential(1), stiffer, motion, !supported, tolerance, report, state.contact, u);
   state.displacement = vectors_of(u);
   state.velocity.assign(state.displacement.size(), Vector3d::Zero());
+  state.acceleration.clear();
   state.earlier = {};
   state.time = end;
   return report;

@@ -35,7 +35,8 @@ struct Measures {
   Eigen::Vector3d momentum{0, 0, 0};          // [kg m/s]
   Eigen::Vector3d angular_momentum{0, 0, 0};  // [kg m^2/s] about the origin
   /// Force of the supports on the body [N]: sum over constrained vertices, fixed or prescribed, of the elastic energy's
-  /// gradient minus the weight. Inertia and viscous forces are not included.
+  /// gradient minus the weight, and what they pass on to centroids of quadratic tets that free vertices move, too, by
+  /// State::acceleration. Their own inertia and viscous forces are not included.
   Eigen::Vector3d fixed_reaction{0, 0, 0};
   double min_det_f = 1, max_det_f = 1;       // range of J over tets: of quadratic ones at their points and corners
   double max_strain = 0, max_von_mises = 0;  // Green strain (Frobenius) and Cauchy stress [Pa], largest at a point

@@ -226,7 +226,10 @@ void Simulation::go_on_from(const State& state) {
     throw Error(scene.file.string(), "start has " + std::to_string(state.displacement.size()) + " vertices",
                 "expected the mesh's " + std::to_string(model.rest_positions.size()));
   leave_equilibrium();
-  if (reference_) reference_state_ = state;
+  if (reference_) {
+    reference_state_ = state;
+    reference_state_.acceleration.clear();  // as on the GPU: what was set need not be the end of a step
+  }
   if (gpu_) gpu_->upload(state);
   led_.restart(state.led);
   diverged_.reset();

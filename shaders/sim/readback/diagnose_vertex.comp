@@ -16,7 +16,7 @@ INPUT_VEC4(Displacement, displacement)   // [vertex_count] u [m]
 INPUT_VEC4(Predicted, predicted)         // [vertex_count] u~ [m], w inverse mass in this step
 INPUT_VEC4(Velocity, velocity)           // [vertex_count] [m/s]
 INPUT_UINT(SlotBegin, slot_begin)        // [vertex_count + 1]
-INPUT_VEC4(Correction, correction)       // [slots] h^2 times the force of each corner [kg m], of free middles with the
+INPUT_VEC4(Correction, correction)       // [slots] h^2 times the force of each corner [kg m], of middles with the
                                          // inertia of what moves at centroids
 OUTPUT(VertexPartial, VertexPartials, vertex_partials)  // [invocations]
 uniform uint vertex_count;

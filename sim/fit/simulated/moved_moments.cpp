@@ -85,12 +85,18 @@ class Mover {
   void move_moments_after(std::size_t stages, const std::vector<reference::StateRate>& rates) {
     for (std::size_t m = 0; m < course_.moments.size(); ++m)
       for (std::size_t p = 0; p < pairs_.size() && course_.moments[m].stages == stages; ++p)
-        move_moment(m, p, reference::as_vectors(rates[p].displacement));
+        move_moment(m, p, reference::as_vectors(rates[p].displacement), rates[p].acceleration);
   }
 
-  void move_moment(std::size_t m, std::size_t p, const std::vector<Eigen::Vector3d>& rate) {
-    move(moved_[p].below[m].state.displacement, rate, -step_);
-    move(moved_[p].above[m].state.displacement, rate, step_);
+  void move_moment(std::size_t m, std::size_t p, const std::vector<Eigen::Vector3d>& rate,
+                   const Eigen::VectorXd& acceleration = {}) {
+    State &below = moved_[p].below[m].state, &above = moved_[p].above[m].state;
+    move(below.displacement, rate, -step_);
+    move(above.displacement, rate, step_);
+    if (below.acceleration.empty()) return;
+    const std::vector<Eigen::Vector3d> of_acceleration = reference::as_vectors(acceleration);
+    move(below.acceleration, of_acceleration, -step_);
+    move(above.acceleration, of_acceleration, step_);
   }
 
   const Course& course_;

@@ -17,10 +17,10 @@ bool is_solved(const reference::NewtonReport& report) { return report.converged 
 constexpr double kMostBytes = 2e9;
 
 bool is_worth_keeping(const Model& model, const SolverSettings& settings, long steps) {
-  constexpr double kVectors = 4;  // of a State at every vertex
+  const double vectors = model.has_quadratic() ? 5 : 4;  // of a State at every vertex
   const double stages = static_cast<double>(steps) * settings.substeps * info_of(settings.integrator).stages;
   return !model.has_contact() &&
-         stages * kVectors * sizeof(Eigen::Vector3d) * static_cast<double>(model.rest_positions.size()) < kMostBytes;
+         stages * vectors * sizeof(Eigen::Vector3d) * static_cast<double>(model.rest_positions.size()) < kMostBytes;
 }
 
 // NewtonSolver::step() of a model without contact, which keeps its stages.

@@ -281,6 +281,18 @@ State SimBuffers::download_state(double time, double earlier_step) const {
   return state;
 }
 
+std::vector<Eigen::Vector3d> SimBuffers::download_accelerations(const Eigen::Vector3d& gravity, double l) const {
+  const std::vector<vec4> u = displacement.read<vec4>(), inertial = predicted.read<vec4>();
+  std::vector<Eigen::Vector3d> vectors;
+  vectors.reserve(vertex_count);
+  for (const std::uint32_t place : placement.place) {
+    const vec4 &at = u[place], &from = inertial[place];
+    vectors.push_back(Eigen::Vector3d(double(at.x) - from.x, double(at.y) - from.y, double(at.z) - from.z) / (l * l));
+    if (from.w > 0) vectors.back() += gravity;
+  }
+  return vectors;
+}
+
 ContactMemory SimBuffers::contact_forces(const gl::Buffer& buffer) const {
   ContactMemory memory;
   for (const vec4& force : buffer.read<vec4>()) memory.push_back({{force.x, force.y, force.z}, force.w});

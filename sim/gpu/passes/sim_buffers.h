@@ -121,6 +121,8 @@ struct SimBuffers {
   void upload_displacements(const std::vector<Eigen::Vector3d>& u);  // [vertex of the model] [m]
   /// `earlier_step`: State::Earlier::step; 0: the earlier state is left out.
   State download_state(double time, double earlier_step = 0) const;
+  /// (u - u~) / l^2 + g of every vertex [m/s^2], at the end of a stage of length `l` [s]; constrained ones have no g.
+  std::vector<Eigen::Vector3d> download_accelerations(const Eigen::Vector3d& gravity, double l) const;
   /// The xyz of a buffer, vec4 [vertex_count or more], in the model's vertex order. Waits for the GPU.
   std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer) const;
   ContactMemory contact_forces(const gl::Buffer& buffer) const;  // of a copy of contact_memory

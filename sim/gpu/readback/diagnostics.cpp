@@ -64,6 +64,7 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
                                                {"centroid_partials", &centroid_partials_}},
                                               buffers),
                          quadratic_partial_count_, std::move(constants));
+    passes_.back().follow("has_step", has_step_);
   }
   for (const EnergyTerm* term : terms)
     if (term->acts())
@@ -87,7 +88,8 @@ void DiagnosticsReader::record(gl::ProgramCache& programs, const SimBuffers& buf
 }
 
 void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& contact, double substep, double time,
-                                const gl::Buffer* stop_state) {
+                                const gl::Buffer* stop_state, bool has_step) {
+  has_step_ = has_step;
   for (const gl::ComputePass& pass : passes_) pass.run();
 
   newest_ ^= 1u;

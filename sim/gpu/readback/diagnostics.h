@@ -45,14 +45,17 @@ struct Diagnostics {
 class DiagnosticsReader {
  public:
   explicit DiagnosticsReader(const SimBuffers& buffers);
+  DiagnosticsReader(const DiagnosticsReader&) = delete;
+  DiagnosticsReader& operator=(const DiagnosticsReader&) = delete;
   void record(gl::ProgramCache& programs, const SimBuffers& buffers, const Features& features,
               const gl::Buffer& previous_strain, const EnergyTerms& terms);
   /// A vertex whose displacement is read together with the sums; none: no vertex.
   void set_probe(std::optional<std::uint32_t> vertex) { probe_ = vertex; }
   /// Dispatches the sums over the current state, of `time` [s], and queues their copy. `substep` h [s]. `stop_state`:
-  /// of a StopRule, or null. `contact` outlives the request.
+  /// of a StopRule, or null. `contact` outlives the request. `has_step`: whether the state is the end of a step, whose
+  /// accelerations then count in the reaction.
   void request(const GrabSprings& grab, const ContactTerm& contact, double substep, double time,
-               const gl::Buffer* stop_state);
+               const gl::Buffer* stop_state, bool has_step);
   bool pending() const {
     return pending_[0].fence.is_set() || pending_[1].fence.is_set();
   }  // a request whose result was not taken yet
@@ -82,6 +85,7 @@ class DiagnosticsReader {
   std::vector<gl::ComputePass> passes_;
   std::array<Pending, 2> pending_;
   unsigned newest_ = 0;
+  std::uint32_t has_step_ = 0;  // of the last request
 };
 
 }  // namespace fascia

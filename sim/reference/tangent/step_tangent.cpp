@@ -66,6 +66,7 @@ StateRate StepTangent::rate(const StateRate& start, const Nearby& below, const N
       (unbalanced(above, moved(start, step), up) - unbalanced(below, moved(start, -step), down)) / (2 * step);
   balance_.system().add_to_free(cholesky_.solve(change), -1, end.displacement);
   end.velocity = stage_.velocity(end.displacement, stage_.extrapolated(start.displacement, start.earlier_displacement));
+  end.acceleration = stage_.acceleration(end.velocity, stage_.extrapolated(start.velocity, start.earlier_velocity));
   return end;
 }
 

@@ -16,6 +16,7 @@ namespace fascia::reference {
 struct StateRate {
   Eigen::VectorXd displacement, velocity;                  // [m], [m/s] per unit of p
   Eigen::VectorXd earlier_displacement, earlier_velocity;  // of State::earlier; empty where that is
+  Eigen::VectorXd acceleration = {};                       // [m/s^2] per unit of p; empty before the first stage
 };
 
 class StepTangent {
