@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <random>
+#include <utility>
 
 #include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/mid_edges.h"
@@ -96,6 +97,39 @@ inline SolverSettings frames() {
   SolverSettings settings;
   settings.time_step = 1.0 / 60;
   return settings;
+}
+
+/// Momentum of what free vertices move [kg m/s]: their own masses, and those at the centroids of tets with a free
+/// middle.
+inline Eigen::Vector3d free_momentum(const Model& model, const std::vector<Eigen::Vector3d>& velocity) {
+  const MovingMasses masses = moving_masses(model);
+  const std::vector<char> held = model.held();
+  Eigen::Vector3d momentum(0, 0, 0);
+  for (std::size_t v = 0; v < velocity.size(); ++v)
+    if (!held[v]) momentum += masses.own[v] * velocity[v];
+  for (std::size_t t = 0; t < masses.centroid.size(); ++t) {
+    const auto is_held = [&](std::uint32_t v) { return held[v] != 0; };
+    if (!model.is_quadratic(t) || std::all_of(model.mid_edges[t].begin(), model.mid_edges[t].end(), is_held)) continue;
+    for (const std::uint32_t v : model.mid_edges[t]) momentum += masses.centroid[t] / 6 * velocity[v];
+  }
+  return momentum;
+}
+
+/// The weight of the whole body, of what is held, too [N].
+inline Eigen::Vector3d weight_of(const Model& model) {
+  double mass = 0;
+  for (const double m : lumped_masses(model)) mass += m;
+  return mass * model.gravity;
+}
+
+/// Gives the vertices that are fixed a motion of duration 0.08 s instead.
+inline void shake_fixed(Model& model) {
+  Motion shake;
+  shake.vertices = std::exchange(model.fixed, {});
+  shake.translate = {0.02, 0.05, 0};
+  shake.angle = 0.5;
+  shake.duration = 0.08;
+  model.motions = {shake};
 }
 
 /// The largest displacement of a vertex [m].

@@ -165,6 +165,54 @@ TEST_CASE("stages of quadratic tets balance the inertia of a body whose support 
   }
 }
 
+TEST_CASE("supports bear the inertia of what moves at centroids beside them", "[quadratic]") {
+  const Integrator integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2, Integrator::sdirk2);
+  const bool linear = GENERATE(false, true), shaken = GENERATE(false, true);
+  Model model = box_model(2, 1, 1, {0.2, 0.1, 0.1}, of(MaterialModel::squared, 1e4, 0.3), test::at_left_end);
+  if (!linear) model = quadratic(model);
+  model.gravity = {1, -9.81, 2};
+  model.bodies = {{"beam",
+                   0,
+                   static_cast<std::uint32_t>(model.rest_positions.size()),
+                   0,
+                   static_cast<std::uint32_t>(model.tets.size()),
+                   0,
+                   1,
+                   {}}};
+  if (shaken) test::shake_fixed(model);
+  const Vector3d weight = test::weight_of(model);
+  const GrabSpring spring{vertex_at(model, {0.2, 0.1, 0.1}), {0.05, 0.1, 0}, 30};
+  NewtonSolver solver(model, {});
+  solver.set_springs({spring});
+  State state = initial_state(model);
+  const double h = 1.0 / 60;
+  double earlier = 0, largest = 0;
+  for (int step = 0; step < 8; ++step) {
+    for (const IntegratorStage& stage : stages_of(integrator, h, earlier)) {
+      const State before = state;
+      REQUIRE(solver.solve(stage, state).converged);
+      const Vector3d start = stage.extrapolated(test::free_momentum(model, before.velocity),
+                                                before.earlier.velocity.empty()
+                                                    ? Vector3d(0, 0, 0)
+                                                    : test::free_momentum(model, before.earlier.velocity)),
+                     inertia = (test::free_momentum(model, state.velocity) - start) / stage.length,
+                     hand = spring.stiffness * (spring.target - state.displacement[spring.vertex]);
+      const Vector3d reaction = measure(model, state).fixed_reaction, missing = reaction + weight + hand - inertia;
+      CAPTURE(name_of(integrator), linear, shaken, step, reaction.transpose(), inertia.transpose());
+      CHECK(missing.norm() < 1e-9 * (weight.norm() + inertia.norm()));
+      CHECK((support_forces(model, state).at(0).force - reaction).norm() < 1e-9 * weight.norm());
+      CHECK(state.acceleration.empty() == linear);
+      state.acceleration.clear();
+      largest = std::max(largest, (measure(model, state).fixed_reaction - reaction).norm());
+    }
+    earlier = h;
+  }
+  CAPTURE(name_of(integrator), shaken, largest);
+  CHECK((largest > 0.01 * weight.norm()) == !linear);
+  REQUIRE(solver.solve_static(state).converged);
+  CHECK(state.acceleration.empty());
+}
+
 TEST_CASE("steps of a free body of quadratic tets keep its momentum", "[quadratic]") {
   const MaterialModel law = GENERATE(from_range(material_models()));
   const double damping = GENERATE(0.0, 0.02);

@@ -15,11 +15,12 @@ using Kind = Measurand::Kind;
 TEST_CASE("rates of residuals are those of simulations", "[fit]") {
   const bool is_static = GENERATE(true, false);
   const char* const integrator = GENERATE("implicit_euler", "bdf2", "sdirk2");
-  if (is_static && integrator != std::string("bdf2")) return;
+  const std::string elements = GENERATE("linear", "quadratic");
+  if (is_static && (integrator != std::string("bdf2") || elements == "quadratic")) return;
   const BlockScene block("\"young_modulus\": 20000, \"poisson_ratio\": 0.45, \"damping\": 0.01",
                          R"("grabs": [{"at": [0.06, 0.04, 0.02], "translate": [0, 0.01, 0], "stiffness": 20}], )");
   const Scene scene = block.scene({std::string("solver.integrator=") + integrator, "solver.time_step=0.05",
-                                   "solver.substeps=2", "grabs.0.start=0"});
+                                   "solver.substeps=2", "grabs.0.start=0", "bodies.0.elements=" + elements});
   const Model model = build_model(scene);
   std::vector<Measurement> measured{{"a.csv", 1, {}, {}, {}}, {"b.obj", 2, {}, {}, {}}};
   measured[0].curves = {test::curve_of("support_1_x", {Kind::support, 1, 0}, {0.52, 1}),
@@ -54,7 +55,7 @@ TEST_CASE("rates of residuals are those of simulations", "[fit]") {
         (8 * (residuals_at(kStep) - residuals_at(-kStep)) - (residuals_at(2 * kStep) - residuals_at(-2 * kStep))) /
         (12 * kStep);
     const double error = (rates.col(p) - difference).norm() / difference.norm();
-    CAPTURE(is_static, integrator, keys[static_cast<std::size_t>(p)], error, rates.col(p).transpose(),
+    CAPTURE(is_static, integrator, elements, keys[static_cast<std::size_t>(p)], error, rates.col(p).transpose(),
             difference.transpose());
     CHECK(error < 1e-6);
   }

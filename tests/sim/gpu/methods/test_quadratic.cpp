@@ -137,12 +137,7 @@ TEST_CASE("quadratic tets follow the reference solver where the support shakes",
   const Integrator integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2, Integrator::sdirk2);
   Gpu gpu(loads);
   Model model = quadratic_bar(MaterialModel::squared);
-  Motion shake;
-  shake.vertices = std::exchange(model.fixed, {});
-  shake.translate = {0.02, 0.05, 0};
-  shake.angle = 0.5;
-  shake.duration = 0.08;
-  model.motions = {shake};
+  shake_fixed(model);
   SolverSettings settings = settings_with(60);
   settings.integrator = integrator;
   const double error = error_after(gpu, model, settings, 10);
