@@ -27,12 +27,6 @@ Model hanging_beam(double damping = 0.05) {
   return make_model(mesh, {1e5, 0.3, 1000, damping}, [](const Vector3d& x) { return x.y() > 0.3 - 1e-9; });
 }
 
-Vector3d weight_of(const Model& model) {
-  double mass = 0;
-  for (const double m : lumped_masses(model)) mass += m;
-  return mass * model.gravity;
-}
-
 // Two overlapping patches at the lower end.
 std::vector<GrabSpring> two_grabs(const Model& model) {
   std::vector<GrabSpring> springs;
