@@ -16,7 +16,8 @@ TEST_CASE("rates of residuals are those of simulations", "[fit]") {
   const bool is_static = GENERATE(true, false);
   const char* const integrator = GENERATE("implicit_euler", "bdf2", "sdirk2");
   const std::string elements = GENERATE("linear", "quadratic");
-  if (is_static && (integrator != std::string("bdf2") || elements == "quadratic")) return;
+  if (is_static && integrator != std::string("bdf2")) return;
+  if (elements == "quadratic" && (is_static || integrator != std::string("sdirk2"))) return;
   const BlockScene block("\"young_modulus\": 20000, \"poisson_ratio\": 0.45, \"damping\": 0.01",
                          R"("grabs": [{"at": [0.06, 0.04, 0.02], "translate": [0, 0.01, 0], "stiffness": 20}], )");
   const Scene scene = block.scene({std::string("solver.integrator=") + integrator, "solver.time_step=0.05",
