@@ -241,4 +241,16 @@ double ElasticSystem::min_det_f(const VectorXd& u) const {
   return smallest;
 }
 
+VectorXd flattened(const std::vector<Vector3d>& vectors) {
+  VectorXd all(static_cast<Eigen::Index>(3 * vectors.size()));
+  for (std::size_t v = 0; v < vectors.size(); ++v) all.segment<3>(static_cast<Eigen::Index>(3 * v)) = vectors[v];
+  return all;
+}
+
+std::vector<Vector3d> as_vectors(const VectorXd& all) {
+  std::vector<Vector3d> vectors;
+  for (Eigen::Index i = 0; i < all.size(); i += 3) vectors.emplace_back(all.segment<3>(i));
+  return vectors;
+}
+
 }  // namespace fascia::reference

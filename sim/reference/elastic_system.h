@@ -74,4 +74,8 @@ class ElasticSystem {
   std::vector<std::size_t> first_block_;  // [tet_count]
 };
 
+/// Vectors of all vertices as one vector of components [3 * vertex_count], and back.
+Eigen::VectorXd flattened(const std::vector<Eigen::Vector3d>& vectors);
+std::vector<Eigen::Vector3d> as_vectors(const Eigen::VectorXd& all);
+
 }  // namespace fascia::reference

@@ -11,6 +11,7 @@
 #include "sim/model/unconstrained_parts.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
+#include "sim/tool/followed_place.h"
 
 namespace fascia::reference {
 namespace {
@@ -27,21 +28,12 @@ constexpr int last_patience = 400;  // if no smaller one can be tried
 // In statics, where nothing bounces: a stiffer penalty takes fewer passes over the multipliers.
 constexpr double static_penalty = 100;
 constexpr int most_passes = 60;
-constexpr double first_fall = 1e-2;      // [s]
-constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
-constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
-constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
-constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
-
-VectorXd flat(const std::vector<Vector3d>& vectors) {
-  return Eigen::Map<const VectorXd>(vectors.empty() ? nullptr : vectors[0].data(), 3 * vectors.size());
-}
-
-std::vector<Vector3d> vectors_of(const VectorXd& all) {
-  std::vector<Vector3d> result(all.size() / 3);
-  for (std::size_t v = 0; v < result.size(); ++v) result[v] = all.segment<3>(3 * v);
-  return result;
-}
+constexpr double shortest_part = 1.0 / 1024;  // of a tool's way in statics
+constexpr double first_fall = 1e-2;           // [s]
+constexpr double steady_forces = 1e-9;        // change of the forces of contact in a pass, relative to the largest one
+constexpr double rounded_forces = 1e-5;       // the same where rounding is what changes them
+constexpr double borne_at_rest = 1e-5;  // force of inertia in bodies that have landed, relative to the largest one
+constexpr double farthest_fall = 1e4;   // sizes of the tissue: beyond it nothing lands or stops
 
 VectorXd per_component(const std::vector<double>& per_vertex) {
   VectorXd all(3 * per_vertex.size());
@@ -70,6 +62,7 @@ struct NewtonSolver::Impl {
         mass(per_component(lumped_masses(model))),
         moving(model),
         gravity(model.gravity.replicate(model.rest_positions.size(), 1)),
+        size(flattened(model.rest_positions).maxCoeff() - flattened(model.rest_positions).minCoeff()),
         contact(make_contact_surface(model)),
         penalty(contact_stiffness(model, contact)),
         pairs(model),
@@ -90,7 +83,7 @@ struct NewtonSolver::Impl {
     std::vector<Vector3d> path = end;
     if (!stage)
       return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                             pairs.find(vectors_of(start), end, before));
+                                             pairs.find(as_vectors(start), end, before));
     if (!pairs.empty()) {
       const std::vector<char> carried = pairs.carried(before);
       for (std::size_t v = 0; v < path.size(); ++v)
@@ -98,7 +91,7 @@ struct NewtonSolver::Impl {
     }
     if (kept_in != stage->length) kept = kept_shares(model, contact, stiffness, kept_in = stage->length);
     return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
-                                           pairs.find(vectors_of(start), path, before, stage->length, time), end, kept);
+                                           pairs.find(as_vectors(start), path, before, stage->length, time), end, kept);
   }
   /// After pairs.misses().
   std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const std::vector<double>& stiffness,
@@ -120,6 +113,8 @@ struct NewtonSolver::Impl {
     return tools ? *tools : motion_on_paths(model.tools, from, to);
   }
   NewtonReport solve_static(State& state, double tolerance, std::optional<double> until);
+  /// The equilibrium at `end`, by one problem whose tools are where `motion` ends.
+  NewtonReport equilibrium(State& state, double tolerance, double end, double moment, const ToolMotion& motion);
   /// eps* [tet_count].
   std::vector<Eigen::Matrix3d> strains(const IntegratorStage& stage, const VectorXd& now,
                                        const VectorXd& earlier) const;
@@ -145,6 +140,7 @@ struct NewtonSolver::Impl {
   const VectorXd mass;  // lumped [3 * vertex_count] [kg]
   const MassMatrix moving;
   const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
+  const double size;       // of the tissue [m]
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
   PairSearch pairs;
@@ -202,12 +198,12 @@ std::vector<Eigen::Matrix3d> NewtonSolver::Impl::strains(const IntegratorStage& 
 NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolMotion& motion, State& state) {
   if (stage.extrapolation != 0 && state.earlier.displacement.size() != state.displacement.size())
     throw Error("reference solver", "has no earlier state", "expected one for a stage that extrapolates");
-  const VectorXd old = flat(state.displacement), velocity = flat(state.velocity);
-  const VectorXd earlier = flat(state.earlier.displacement);
+  const VectorXd old = flattened(state.displacement), velocity = flattened(state.velocity);
+  const VectorXd earlier = flattened(state.earlier.displacement);
   const VectorXd start = stage.extrapolated(old, earlier);
   Potential potential;
   potential.inertia = stage.inertia(moving.own());
-  const VectorXd start_velocity = stage.extrapolated(velocity, flat(state.earlier.velocity));
+  const VectorXd start_velocity = stage.extrapolated(velocity, flattened(state.earlier.velocity));
   potential.target = stage.predicted(start, start_velocity, gravity);
   potential.coupled = {&moving, 1 / (stage.length * stage.length), potential.target};
   potential.start = start;
@@ -216,7 +212,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   if (system.viscous()) potential.viscous = {strains(stage, old, earlier), stage.length};
   std::vector<Vector3d> aim;
   if (touches()) {
-    aim = vectors_of(old + stage.duration * velocity);
+    aim = as_vectors(old + stage.duration * velocity);
     for (std::size_t v = 0; v < aim.size(); ++v)
       if (falls[v]) aim[v] += fall_in(stage);
     place_prescribed(model, state.time + stage.duration, aim);
@@ -232,7 +228,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
   int again = 0;
-  for (; again < PairSearch::kMostSearches && pairs.misses(vectors_of(u)); ++again) {
+  for (; again < PairSearch::kMostSearches && pairs.misses(as_vectors(u)); ++again) {
     potential.contact = contact_again(old, penalty, motion, aim, state.contact);
     const NewtonReport more = minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u);
     report.iterations += more.iterations;
@@ -240,11 +236,12 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
     report.converged = more.converged;
   }
   if (again == PairSearch::kMostSearches || pairs.cuts())
-    if (const auto back = pairs.taken_back(state.displacement, vectors_of(u), lumped_masses(model))) u = flat(*back);
-  state.earlier.displacement = std::exchange(state.displacement, vectors_of(u));
+    if (const auto back = pairs.taken_back(state.displacement, as_vectors(u), lumped_masses(model)))
+      u = flattened(*back);
+  state.earlier.displacement = std::exchange(state.displacement, as_vectors(u));
   const VectorXd end_velocity = stage.velocity(u, start);
-  state.earlier.velocity = std::exchange(state.velocity, vectors_of(end_velocity));
-  if (!moving.is_diagonal()) state.acceleration = vectors_of(stage.acceleration(end_velocity, start_velocity));
+  state.earlier.velocity = std::exchange(state.velocity, as_vectors(end_velocity));
+  if (!moving.is_diagonal()) state.acceleration = as_vectors(stage.acceleration(end_velocity, start_velocity));
   state.time += stage.duration;
   if (potential.contact) {
     read_out(potential.contact, u);
@@ -256,8 +253,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
 void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<double>& stiffness,
                                        const ToolMotion& motion, bool lands, double tolerance, NewtonReport& report,
                                        ContactMemory& memory, VectorXd& u) {
-  const VectorXd start = potential.start, rest = flat(model.rest_positions);
-  const double size = rest.maxCoeff() - rest.minCoeff();
+  const VectorXd start = potential.start;
   const double weight = lands ? mass.cwiseProduct(gravity).lpNorm<Eigen::Infinity>() : 0;  // of a vertex
   double change = 0, unsteady = 0, largest = 0;                                            // [N]
   VectorXd from = u, inertia = VectorXd::Zero(u.size());
@@ -289,7 +285,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
       return;
     if (lands && (u - start).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
     // Tissue that slides along tissue meets other faces.
-    potential.contact = contact_from(pairs.empty() ? start : u, vectors_of(u), stiffness, motion, memory);
+    potential.contact = contact_from(pairs.empty() ? start : u, as_vectors(u), stiffness, motion, memory);
     const NewtonReport pass_report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
     report.iterations += pass_report.iterations;
     report.relative_residual = pass_report.relative_residual;
@@ -299,23 +295,43 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   report.rests = report.converged = false;
 }
 
+// A tool that is at once deep in the tissue presses it out at whatever side is nearest. So tools go by short parts of
+// their way, and each equilibrium begins at the one before.
 NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, std::optional<double> until) {
   if (!touches()) require_supports(model);
-  const double end = std::max(state.time, until ? *until : std::max(model.end_of_motions(), model.end_of_tools()));
-  VectorXd u = flat(state.displacement), internal;
+  const double begin = state.time;
+  const double end = std::max(begin, until ? *until : std::max(model.end_of_motions(), model.end_of_tools()));
   const double moment = until ? 1e-9 : 1e-3;  // [s] of a path to a time that has come
+  const auto motion_to = [&](double time) {
+    if (!tools || begin == end) return motion_within(state.time, time);
+    return tools->part((state.time - begin) / (end - begin), (time - begin) / (end - begin));
+  };
+  NewtonReport report;
+  do {
+    double time = end;
+    while (passes_middles(model.tools, motion_to(time), size) && time - state.time > shortest_part * (end - begin))
+      time = 0.5 * (state.time + time);
+    const int before = report.iterations;
+    report = equilibrium(state, tolerance, time, moment, motion_to(time));
+    report.iterations += before;
+  } while (state.time < end && report.converged && !stop.stop_requested());
+  return report;
+}
+
+NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, double end, double moment,
+                                             const ToolMotion& motion) {
+  VectorXd u = flattened(state.displacement), internal;
   const HeldPath path(model, u, state.time, std::max(end, state.time + moment));
 
   // The state is in equilibrium with a part of the load; the rest is added as s increases to 1.
   const VectorXd weight = mass.cwiseProduct(gravity);
   system.evaluate(u, {}, internal);
   const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
-  const ToolMotion motion = motion_within(state.time, end);
   std::vector<double> stiffer = penalty;
   for (double& k : stiffer) k *= static_penalty;
   const auto potential = [&](double s) {
     Potential result{{}, zero, start, start, weight - (1 - s) * missing};
-    if (touches()) result.contact = contact_from(start, vectors_of(start), stiffer, motion.part(0, s), state.contact);
+    if (touches()) result.contact = contact_from(start, as_vectors(start), stiffer, motion.part(0, s), state.contact);
     for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
       const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
       GrabSpring now = spring;
@@ -330,7 +346,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
   report.converged = true;
   if (supported) report = follow(path, potential, true, tolerance, u);
   if (touches()) settle_forces(potential(1), stiffer, motion, !supported, tolerance, report, state.contact, u);
-  state.displacement = vectors_of(u);
+  state.displacement = as_vectors(u);
   state.velocity.assign(state.displacement.size(), Vector3d::Zero());
   state.acceleration.clear();
   state.earlier = {};
@@ -376,7 +392,7 @@ const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->pa
 std::vector<Vector3d> NewtonSolver::contact_forces() const {
   VectorXd gradient = VectorXd::Zero(3 * static_cast<Eigen::Index>(impl_->model.rest_positions.size()));
   if (impl_->touched) impl_->touched->evaluate(impl_->touched_at, gradient);
-  return vectors_of(-gradient);
+  return as_vectors(-gradient);
 }
 
 void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }

@@ -6,18 +6,6 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-VectorXd flattened(const std::vector<Vector3d>& vectors) {
-  VectorXd all(static_cast<Index>(3 * vectors.size()));
-  for (std::size_t v = 0; v < vectors.size(); ++v) all.segment<3>(static_cast<Index>(3 * v)) = vectors[v];
-  return all;
-}
-
-std::vector<Vector3d> as_vectors(const VectorXd& all) {
-  std::vector<Vector3d> vectors;
-  for (Index i = 0; i < all.size(); i += 3) vectors.emplace_back(all.segment<3>(i));
-  return vectors;
-}
-
 ForceBalance::ForceBalance(const Model& model) : model_(model), system_(model_) {}
 
 VectorXd ForceBalance::placed(const VectorXd& u, const Model& nearby, double time) const {

@@ -42,7 +42,4 @@ class ForceBalance {
   const ElasticSystem system_;
 };
 
-Eigen::VectorXd flattened(const std::vector<Eigen::Vector3d>& vectors);
-std::vector<Eigen::Vector3d> as_vectors(const Eigen::VectorXd& all);
-
 }  // namespace fascia::reference
