@@ -6,6 +6,12 @@
 #include "sim/output/state_export.h"
 
 namespace fascia::api {
+
+struct State::Carried {
+  fascia::State::Earlier earlier;
+  ContactMemory contact;
+};
+
 namespace {
 
 template <class T>
@@ -78,7 +84,8 @@ void Simulation::set_velocities(std::span<const double> velocities) {
 State Simulation::save() const {
   return impl_->call([](fascia::Simulation& simulation) {
     const fascia::State state = simulation.state();
-    return State{numbers_of(state.displacement), numbers_of(state.velocity), state.time};
+    return State{numbers_of(state.displacement), numbers_of(state.velocity), state.time,
+                 std::make_shared<State::Carried>(state.earlier, state.contact)};
   });
 }
 
@@ -88,6 +95,11 @@ void Simulation::restore(const State& state) {
   own.velocity = vectors_of(state.velocities, vertex_count(), "restore: velocities");
   own.time = state.time;
   if (!std::isfinite(own.time) || own.time < 0) throw Error("restore: time", "is no time", "expected seconds from 0");
+  if (state.carried) {
+    const std::size_t earlier = state.carried->earlier.displacement.size();
+    if (earlier == 0 || earlier == vertex_count()) own.earlier = state.carried->earlier;
+    own.contact = state.carried->contact;
+  }
   impl_->call([&](fascia::Simulation& simulation) { simulation.go_on_from(own); });
 }
 

@@ -81,6 +81,38 @@ TEST_CASE("A restored state continues to the same bits") {
   CHECK_THAT(error_of([&] { simulation.restore(bad); }), Contains("restore: velocities"));
 }
 
+TEST_CASE("A restored state has the forces of contact, and of bdf2 the substep before") {
+  const std::string cube = source_dir() / "assets/scenes/cube.json";
+  const std::vector<std::string> on_slope = {"bodies.0.fixed=[]", R"(ground={"height":0,"friction":0.5})",
+                                             "gravity=[4,-8.96,0]", "materials.default.damping=0.02"};
+  for (const char* integrator : {"implicit_euler", "bdf2", "sdirk2"})
+    for (const bool slope : {true, false}) {
+      OpenOptions options{.set = slope ? on_slope : std::vector<std::string>()};
+      options.set.push_back(std::string("solver.integrator=") + integrator);
+      Simulation simulation = Simulation::open(cube, context(), options);
+      simulation.step(slope ? 90 : 10);  // at rest, and in motion
+      const State kept = simulation.save();
+      simulation.step(10);
+      const std::vector<double> on = simulation.positions();
+      const auto off = [&](const State& state) {
+        simulation.restore(state);
+        simulation.step(10);
+        const std::vector<double> again = simulation.positions();
+        double farthest = 0;
+        for (std::size_t i = 0; i < on.size(); ++i) farthest = std::max(farthest, std::abs(again[i] - on[i]));
+        return farthest;
+      };
+      State alone = kept;
+      alone.carried.reset();
+      const double with = off(kept), without = off(alone);  // [m] the cube has 0.1 m
+      CAPTURE(integrator, slope, with, without);
+      if (slope)  // with is 0, of sdirk2 2e-6
+        CHECK((without > 5e-3 && with < 1e-3 * without));
+      else
+        CHECK(with == 0);
+    }
+}
+
 TEST_CASE("States are written in the format of the extension") {
   const TemporaryFolder folder;
   Simulation simulation(scene_of(standing_cube()), context());
