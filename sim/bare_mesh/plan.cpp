@@ -264,7 +264,7 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
   if (open.supports)
     support.choose(hold, depth, plan);
   else
-    plan.support_reason = "held as given";
+    plan.support_reason = body.fixed.empty() && body.prescribed.empty() ? "free as given" : "held as given";
   placed.fixed = plan.fixed;
   if (!open.stiffness) {
     plan.stiffness_reason = "as given";

@@ -9,6 +9,7 @@
 #include "sim/bare_mesh/flat_sides.h"
 #include "sim/elements/linear_tet.h"
 #include "sim/mesh/tet_faces.h"
+#include "sim/model/unconstrained_parts.h"
 #include "sim/reference/elastic_system.h"
 #include "sim/surface/surface_fill.h"
 
@@ -118,14 +119,20 @@ WeightResponse solve(const HeldBody& body, const Material& material, double grav
   const WeightResponse unknown = response_of_column(body, material.density * gravity);
   const Model model = model_of(body, material);
   const reference::ElasticSystem system(model);
-  if (system.dof_count() == 0) return unknown;
+  const std::vector<double> masses = lumped_masses(model);
+  const UnconstrainedParts unheld = unconstrained_parts(model, model.held());
+  double falling = 0, total = 0;
+  for (std::size_t v = 0; v < masses.size(); ++v) {
+    falling += unheld.part[v] == 0 ? 0 : masses[v];
+    total += masses[v];
+  }
+  if (system.dof_count() == 0 || falling > kShareAbove * total) return unknown;
   VectorXd scale, rest = VectorXd::Zero(3 * static_cast<Eigen::Index>(body.positions.size()));
   reference::SparseMatrix stiffness = system.empty_hessian();
   system.assemble(rest, {}, false, stiffness, scale);
   reference::Cholesky factor(stiffness, system.elimination_tree());
-  // The shift keeps unsupported parts from making the matrix singular, and changes nothing else.
+  // The shift keeps unsupported specks from making the matrix singular, and changes nothing else.
   if (!factor.factorize(stiffness, 1e-12 * stiffness.diagonal().mean())) return unknown;
-  const std::vector<double> masses = lumped_masses(model);
   const auto displacement = [&](const Vector3d& acceleration) {
     VectorXd force(rest.size());
     for (std::size_t v = 0; v < masses.size(); ++v)
