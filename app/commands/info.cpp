@@ -65,7 +65,7 @@ MeshFile filled_mesh(SurfaceMesh surface, const std::string& where, const Body& 
                      const Progress& progress) {
   print_report(std::cout, surface, repair(surface, part_of(progress, 0.1, 0.3)), unit, part_of(progress, 0.3, 0.5));
   FilledSurface filled = fill_surface(std::move(surface), where, body.resolution, part_of(progress, 0.5, 1));
-  std::cout << "\nfilled with tets, resolution " << filled.resolution << "; they reach a little beyond the surface\n";
+  std::cout << "\nfilled with tets, resolution " << filled.resolution << "\n";
   filled.file.notes.erase(filled.file.notes.begin(),
                           filled.file.notes.begin() + filled.notes_of_surface);  // already printed
   return std::move(filled.file);
