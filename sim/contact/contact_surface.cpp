@@ -159,7 +159,8 @@ void note_begun_inside(const Model& model, const ContactSurface& surface, const 
     if (count == 0 || deepest <= kShallow * box.sizes().maxCoeff()) continue;
     notes.push_back(body.name + ": " + std::to_string(inside) + " of " + plural(count, "vertex") +
                     " of its surface begin inside " + tool.name + ", up to " + length(deepest) +
-                    " deep: contact pushes them out within a step");
+                    (inside == count ? " deep: is " + tool.name + " as large as it should be, and in its place?"
+                                     : " deep: contact pushes them out within a step"));
   }
 }
 
