@@ -2,6 +2,8 @@
 
 #include <tiny_obj_loader.h>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
@@ -21,6 +23,22 @@ constexpr std::size_t kMostCorners = 255;  // of a polygon: the library stores t
   std::string where = path.string();
   if (line > 0) where.append(":").append(std::to_string(line));
   throw Error(where, what, expected);
+}
+
+/// The library takes coordinates that it cannot read, and those that are missing, for 0.
+void require_coordinates(const std::filesystem::path& path, const ObjLine& line) {
+  std::string_view rest = line.rest;
+  for (int k = 0; k < 3; ++k) {
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
+    const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
+    double value = 0;
+    const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (stop != digits.data() + digits.size() || status == std::errc::invalid_argument || !std::isfinite(value))
+      fail_at(path, line.number, "a vertex has " + (word.empty() ? "too few numbers" : "\"" + std::string(word) + '"'),
+              "expected three finite coordinates");
+    rest.remove_prefix(word.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  }
 }
 
 /// The vertices and faces for the library, with materials by number. Other lines are dropped: they are skipped in any
@@ -44,7 +62,9 @@ std::string prepared(const std::filesystem::path& path, std::string_view content
     } else if (line.word == "usemtl") {
       if (library) out.append("usemtl ").append(std::to_string(materials.number(line.rest))) += '\n';
       return;
-    } else if (line.word != "v") {
+    } else if (line.word == "v") {
+      require_coordinates(path, line);
+    } else {
       return;
     }
     out.append(line.word).append(" ").append(line.rest) += '\n';
