@@ -174,6 +174,8 @@ bool is_in(const Tet& tet, const std::vector<Vector3d>& x, const Vector3d& point
   return true;
 }
 
+constexpr double kDeep = 0.25;  // of a finest radius
+
 /// Whether a piece is inside of the tissue as the scene begins, and so deep that no contact point touches it.
 bool begins_inside(const Model& model, const ContactSurface& surface, const ContactPiece& piece) {
   const Tool& tool = model.tools[piece.tool];
@@ -191,6 +193,29 @@ bool begins_inside(const Model& model, const ContactSurface& surface, const Cont
 }
 
 }  // namespace
+
+double depth_in_tissue(const Model& model, const ContactSurface& surface, const std::vector<Vector3d>& u,
+                       std::size_t tool, const ToolPlace& place) {
+  const ToolShape& shape = model.tools[tool].shape;
+  if (std::holds_alternative<PlaneShape>(shape)) return 0;
+  std::vector<Vector3d> x = model.rest_positions;
+  for (std::size_t v = 0; v < x.size(); ++v) x[v] += u[v];
+  const double deep = kDeep * finest_radius(shape);
+  double depth = 0;
+  for (const ContactPiece& piece : surface.pieces) {
+    if (piece.tool != tool) continue;
+    const RigidPose pose = model.tools[tool].pose_of_piece(piece.piece, place);
+    const Vector3d middle = pose.to_scene(middle_of(shape));
+    if (std::any_of(model.tets.begin(), model.tets.end(), [&](const Tet& tet) { return is_in(tet, x, middle); }))
+      return 1;
+    for (std::uint32_t p = 0; p < piece.points; ++p) {
+      Vector3d at(0, 0, 0);
+      for (std::size_t k = 0; k < 3; ++k) at += surface.points[p].weights[k] * x[surface.points[p].vertices[k]];
+      depth = std::max(depth, -distance_to(shape, pose.to_local(at)).distance);
+    }
+  }
+  return depth / deep;
+}
 
 std::vector<std::string> check_contact(const Model& model, const std::string& where) {
   const ContactSurface surface = make_contact_surface(model);

@@ -51,6 +51,11 @@ inline constexpr double kContactPenalty = 10;
 /// Without points if the model has no tools.
 ContactSurface make_contact_surface(const Model& model);
 
+/// As ToolDepth (sim/tool/tool_approach.h), of the tissue displaced by `u`: 1 with the middle of a piece in the tissue,
+/// or a point as deep in it as a quarter of its finest radius. A plane has one side and is never deep.
+double depth_in_tissue(const Model& model, const ContactSurface& surface, const std::vector<Eigen::Vector3d>& u,
+                       std::size_t tool, const ToolPlace& place);
+
 /// What is likely a mistake in a scene's contact, one line each: tools that are too thin for the surface or begin
 /// wholly inside tissue, bodies that begin in each other or in tools, and a skin that is thicker than what it covers.
 /// Throws Error, which names `where`, for a skin thicker than a whole body, and for more than kMostPieces pieces.

@@ -11,7 +11,7 @@
 #include "sim/model/unconstrained_parts.h"
 #include "sim/reference/held_path.h"
 #include "sim/reference/minimizer.h"
-#include "sim/tool/followed_place.h"
+#include "sim/tool/tool_approach.h"
 
 namespace fascia::reference {
 namespace {
@@ -28,12 +28,11 @@ constexpr int last_patience = 400;  // if no smaller one can be tried
 // In statics, where nothing bounces: a stiffer penalty takes fewer passes over the multipliers.
 constexpr double static_penalty = 100;
 constexpr int most_passes = 60;
-constexpr double shortest_part = 1.0 / 1024;  // of a tool's way in statics
-constexpr double first_fall = 1e-2;           // [s]
-constexpr double steady_forces = 1e-9;        // change of the forces of contact in a pass, relative to the largest one
-constexpr double rounded_forces = 1e-5;       // the same where rounding is what changes them
-constexpr double borne_at_rest = 1e-5;  // force of inertia in bodies that have landed, relative to the largest one
-constexpr double farthest_fall = 1e4;   // sizes of the tissue: beyond it nothing lands or stops
+constexpr double first_fall = 1e-2;      // [s]
+constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
+constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
+constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
+constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
 
 VectorXd per_component(const std::vector<double>& per_vertex) {
   VectorXd all(3 * per_vertex.size());
@@ -295,26 +294,25 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   report.rests = report.converged = false;
 }
 
-// A tool that is at once deep in the tissue presses it out at whatever side is nearest. So tools go by short parts of
-// their way, and each equilibrium begins at the one before.
 NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, std::optional<double> until) {
   if (!touches()) require_supports(model);
   const double begin = state.time;
   const double end = std::max(begin, until ? *until : std::max(model.end_of_motions(), model.end_of_tools()));
   const double moment = until ? 1e-9 : 1e-3;  // [s] of a path to a time that has come
-  const auto motion_to = [&](double time) {
-    if (!tools || begin == end) return motion_within(state.time, time);
-    return tools->part((state.time - begin) / (end - begin), (time - begin) / (end - begin));
+  const auto motion = [&](double from, double to) {
+    if (!tools || begin == end) return motion_within(from, to);
+    return tools->part((from - begin) / (end - begin), (to - begin) / (end - begin));
+  };
+  const auto depth = [&](std::size_t tool, const ToolPlace& place) {
+    return depth_in_tissue(model, contact, state.displacement, tool, place);
   };
   NewtonReport report;
-  do {
-    double time = end;
-    while (passes_middles(model.tools, motion_to(time), size) && time - state.time > shortest_part * (end - begin))
-      time = 0.5 * (state.time + time);
+  for (const double time : approach_times(model.tools, begin, end, size, motion, depth)) {
     const int before = report.iterations;
-    report = equilibrium(state, tolerance, time, moment, motion_to(time));
+    report = equilibrium(state, tolerance, time, moment, motion(state.time, time));
     report.iterations += before;
-  } while (state.time < end && report.converged && !stop.stop_requested());
+    if (!report.converged || stop.stop_requested()) break;
+  }
   return report;
 }
 

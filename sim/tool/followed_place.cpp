@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/tool/shape_distance.h"
+#include "sim/tool/tool_motion.h"
 
 namespace fascia {
 namespace {
@@ -24,13 +25,6 @@ double way_between(const Tool& tool, const ToolPlace& from, const ToolPlace& to,
   const double turn = std::abs(Eigen::AngleAxisd(to.pose.axes * from.pose.axes.transpose()).angle());
   const double closing = tool.has_jaws ? std::abs(tool.open * (to.grip - from.grip)) : 0;
   return (to.pose.origin - from.pose.origin).norm() + (turn + closing) * reach;
-}
-
-bool passes_middles(const std::vector<Tool>& tools, const ToolMotion& motion, double tissue_size) {
-  for (std::size_t t = 0; t < tools.size(); ++t)
-    if (way_between(tools[t], motion.from[t], motion.to[t], tissue_size) > 0.5 * finest_radius(tools[t].shape))
-      return true;
-  return false;
 }
 
 ToolPlace followed_place(const Tool& tool, const ToolPlace& now, const ToolPlace& commanded, double tissue_size,

@@ -3,10 +3,8 @@
 // from afar it stops before the first touch.
 #pragma once
 #include <functional>
-#include <vector>
 
 #include "sim/tool/tool.h"
-#include "sim/tool/tool_motion.h"
 
 namespace fascia {
 
@@ -17,8 +15,6 @@ using Clearance = std::function<double(const ToolPlace&)>;
 double followed_radius(const Tool& tool, double tissue_size);
 /// The way [m] of its farthest point from one place to the other, or more: moved, turned, and its jaws closed.
 double way_between(const Tool& tool, const ToolPlace& from, const ToolPlace& to, double tissue_size);
-/// Whether a tool goes so far that tissue before it may be behind its middle afterwards, if it stays.
-bool passes_middles(const std::vector<Tool>& tools, const ToolMotion& motion, double tissue_size);
 /// Its place at the end of a step that begins with it at `now`.
 ToolPlace followed_place(const Tool& tool, const ToolPlace& now, const ToolPlace& commanded, double tissue_size,
                          const Clearance& clearance);
