@@ -241,7 +241,7 @@ void ContactTerm::translate_bodies(SimBuffers& buffers) const {
       Eigen::Map<const Eigen::VectorXd>(pairs_.start().data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
   if (translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_),
                          buffers.download_vectors(buffers.predicted), length_, u))
-    buffers.upload_displacements(u);
+    buffers.upload_displacements(u, true);
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {
