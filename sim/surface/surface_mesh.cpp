@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "sim/mesh/io/scanner.h"
 #include "sim/mesh/polygon.h"
 #include "sim/surface/obj_lines.h"
 #include "sim/surface/obj_materials.h"
@@ -34,7 +35,7 @@ void require_coordinates(const std::filesystem::path& path, const ObjLine& line)
     double value = 0;
     const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (stop != digits.data() + digits.size() || status == std::errc::invalid_argument || !std::isfinite(value))
-      fail_at(path, line.number, "a vertex has " + (word.empty() ? "too few numbers" : "\"" + std::string(word) + '"'),
+      fail_at(path, line.number, "a vertex has " + (word.empty() ? "too few numbers" : in_quotes(word)),
               "expected three finite coordinates");
     rest.remove_prefix(word.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
