@@ -76,7 +76,7 @@ TEST_CASE("several shapes are one surface; an unreadable file gives one line") {
   CHECK_THROWS_WITH(reading("v 0 0 0\n"), "a.obj: has no faces; expected a Wavefront .obj surface");
   for (const char* word : {"nan", "-nan(ind)", "inf", "0,5", "abc", "1x"})
     CHECK_THROWS_WITH(reading("v 0 0 0\nv +1 1e-3 .5 0.5\nv 0 " + std::string(word) + " 0\nf 1 2 3\n"),
-                      "a.obj:3: a vertex has \"" + std::string(word) + "\"; expected three finite coordinates");
+                      "a.obj:3: a vertex has '" + std::string(word) + "'; expected three finite coordinates");
   CHECK_THROWS_WITH(reading("v 0 0\n"), "a.obj:1: a vertex has too few numbers; expected three finite coordinates");
   std::string large = "v 0 0 0\nf";
   for (int i = 0; i < 256; ++i) large += " 1";
