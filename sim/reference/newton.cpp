@@ -229,10 +229,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   int again = 0;
   for (; again < PairSearch::kMostSearches && pairs.misses(as_vectors(u)); ++again) {
     potential.contact = contact_again(old, penalty, motion, aim, state.contact);
-    const NewtonReport more = minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u);
-    report.iterations += more.iterations;
-    report.relative_residual = more.relative_residual;
-    report.converged = more.converged;
+    report.go_on(minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u));
   }
   if (again == PairSearch::kMostSearches || pairs.cuts())
     if (const auto back = pairs.taken_back(state.displacement, as_vectors(u), lumped_masses(model)))
@@ -285,10 +282,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     if (lands && (u - start).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
     // Tissue that slides along tissue meets other faces.
     potential.contact = contact_from(pairs.empty() ? start : u, as_vectors(u), stiffness, motion, memory);
-    const NewtonReport pass_report = minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u);
-    report.iterations += pass_report.iterations;
-    report.relative_residual = pass_report.relative_residual;
-    report.converged = pass_report.converged;
+    report.go_on(minimizer.minimize(potential, tolerance, {last_patience, false, stop}, u));
   }
   if (!report.converged || unsteady <= std::max(borne_at_rest, tolerance) * largest) return;
   report.rests = report.converged = false;

@@ -67,6 +67,13 @@ struct NewtonReport {
   /// Of a static solve: false if bodies without supports went on falling or sliding. It then has not converged,
   /// although each of its minimizations did.
   bool rests = true;
+
+  /// The same solve went on, as `more` reports.
+  void go_on(const NewtonReport& more) {
+    iterations += more.iterations;
+    relative_residual = more.relative_residual;
+    converged = more.converged;
+  }
 };
 
 /// Keeps a reference to the model, which must not change.

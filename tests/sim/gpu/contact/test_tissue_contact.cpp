@@ -127,6 +127,42 @@ TEST_CASE("a heavy body that hits a soft one has the energy of exact steps", "[g
   }
 }
 
+// A heavy cube falls on a hanging beam with an edge first, and what it meets on its way is solved again after bodies
+// were moved as wholes. 20 to 40 % of the energy were missing where that solve moved nothing. In other such hits ten
+// iterations have up to 5 % too much.
+TEST_CASE("a heavy body that falls on a hanging one has the energy of exact steps", "[gpu][contact]") {
+  test::Gpu gpu;
+  const auto [cells, turn] = GENERATE(std::pair(2, 0.3), std::pair(3, 0.7));
+  Material light = squared(5e4), heavy = squared(5e4);
+  light.poisson_ratio = heavy.poisson_ratio = 0.4;
+  light.damping = heavy.damping = 0.01;
+  heavy.density = 8000;
+  const Model beam =
+      test::make_model(make_box(6, 2, 2, {0.3, 0.06, 0.06}), light, [](const Vector3d& x) { return x.x() < 1e-9; });
+  Model cube =
+      test::make_model(make_box(cells, cells, cells, {0.1, 0.1, 0.1}), heavy, [](const Vector3d&) { return false; });
+  const Eigen::Matrix3d turned(Eigen::AngleAxisd(turn, Vector3d(0.4, 1, 0.2).normalized()));
+  for (Vector3d& x : cube.rest_positions) x = turned * (x - Vector3d(0.05, 0.05, 0.05)) + Vector3d(0.12, 0.16, 0.03);
+  cube.file_mesh.positions = cube.rest_positions;
+  Model model = test::beside(beam, test::moved(cube, {0, 0, 0}, {0, -2, 0}), "cube");
+  model.gravity = {0, -9.81, 0};
+  model.contact.friction = 0.2;
+  SolverSettings settings = awake(10);
+  settings.integrator = Integrator::bdf2;
+  settings.time_step = 0.01;
+  GpuSolver solver(gpu.programs, model, settings);
+  reference::NewtonSolver exact(model, settings);
+  State reference = initial_state(model);
+  for (int i = 0; i < 8; ++i) {
+    solver.step();
+    exact.step(reference);
+    const double kinetic = reference::measure(model, solver.download()).kinetic,
+                 expected = reference::measure(model, reference).kinetic;
+    CAPTURE(cells, turn, i, kinetic, expected);
+    CHECK(kinetic == Approx(expected).epsilon(0.05));
+  }
+}
+
 // It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 %
 // on llvmpipe, and once 1.1 % on an H100, whose other rounding lets other points touch first.
 TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
