@@ -16,25 +16,30 @@ using Eigen::VectorXd;
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                              const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
                              std::vector<PairRow> pairs, const std::vector<Vector3d>& aim,
-                             const std::vector<double>& kept)
+                             const std::vector<double>& kept, const std::vector<std::uint32_t>& near)
     : model_(model),
       surface_(surface),
-      rows_(surface.row_count),
       pairs_(model, std::move(pairs), memory, surface.row_count),
       slots_(std::max<std::size_t>(memory.size(), surface.row_count)) {
-  for (const ContactPiece& piece : surface.pieces) {
+  const bool remembers = memory.size() >= surface.row_count;
+  rows_.reserve(near.empty() ? surface.row_count : 0);
+  for (std::uint32_t i = 0; i < surface.pieces.size(); ++i) {
+    const ContactPiece& piece = surface.pieces[i];
     const Tool& tool = model.tools[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
     pieces_.push_back({&tool.shape, tool.pose_of_piece(piece.piece, motion.to[piece.tool]),
                        motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level))});
     const RigidPose& after = pieces_.back().pose;
-    for (std::size_t p = 0; p < piece.points; ++p) {
-      Row& row = rows_[piece.first_row + p];
+    for (std::uint32_t p = 0; p < piece.points; ++p) {
+      if (!near.empty() && !(near[p] >> i & 1)) continue;
+      Row& row = rows_.emplace_back();
+      row.piece = i;
+      row.point = p;
       const Vector3d local = before.to_local(position(surface.points[p], start));
       row.stiffness = pieces_.back().share * stiffness[p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
-      row.bearing = memory.size() < rows_.size() ? 0 : memory[piece.first_row + p].normal;
+      row.bearing = remembers ? memory[piece.first_row + p].normal : 0;
       row.pressing = kept.empty() ? row.bearing : kept[p] * row.bearing;
       row.sliding = sliding_penalty(row.stiffness, tool.friction * row.bearing, surface.full_slip);
       row.friction.setZero();
@@ -45,7 +50,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
           row.normal = after.axes * entry->normal;
           row.plane = entry->offset + row.normal.dot(after.origin);
         }
-      if (memory.size() < rows_.size()) continue;
+      if (!remembers) continue;
       row.friction = after.axes * memory[piece.first_row + p].friction;
       row.friction -= row.friction.dot(row.normal) * row.normal;
     }
@@ -68,11 +73,10 @@ Vector3d ContactEnergy::position(const ContactPoint& point, const std::vector<Ve
   return x;
 }
 
-ContactEnergy::Contact ContactEnergy::contact_of(const ContactPiece& piece, std::size_t p, const VectorXd& u) const {
-  const Piece& placed = pieces_[static_cast<std::size_t>(&piece - surface_.pieces.data())];
-  const Row& row = rows_[piece.first_row + p];
+ContactEnergy::Contact ContactEnergy::contact_of(const Row& row, const VectorXd& u) const {
+  const Piece& placed = piece_of(row);
   Contact contact;
-  contact.x = position(surface_.points[p], u);
+  contact.x = position(point_of(row), u);
   ShapeDistance distance{row.plane ? row.normal.dot(contact.x) - *row.plane : 0, row.normal, Matrix3d::Zero()};
   if (!row.plane) {
     distance = distance_to(*placed.shape, placed.pose.to_local(contact.x));
@@ -88,23 +92,17 @@ ContactEnergy::Contact ContactEnergy::contact_of(const ContactPiece& piece, std:
   return contact;
 }
 
-template <class F>
-void ContactEnergy::for_rows(F&& f) const {
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-    for (std::size_t p = 0; p < surface_.pieces[i].points; ++p)
-      f(surface_.pieces[i], pieces_[i], p, rows_[surface_.pieces[i].first_row + p]);
-}
-
 double ContactEnergy::reach_of(const Contact& contact, const Piece& placed) {
   return std::max(contact.x.cwiseAbs().maxCoeff(), placed.pose.origin.cwiseAbs().maxCoeff());
 }
 
 double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* magnitude) const {
   double energy = pairs_.evaluate(u, gradient, magnitude);
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
-    const Contact contact = contact_of(piece, p, u);
+  for (const Row& row : rows_) {
+    const Piece& placed = piece_of(row);
+    const Contact contact = contact_of(row, u);
     const double bound = placed.friction * row.bearing;
-    if (contact.pressing == 0 && row.bearing == 0) return;
+    if (contact.pressing == 0 && row.bearing == 0) continue;
     energy += 0.5 * (contact.pressing - row.pressing) * (contact.pressing + row.pressing) / row.stiffness;
     Vector3d force = contact.pressing * contact.normal;
     if (bound > 0) {
@@ -112,66 +110,70 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* ma
       force += within(contact.tangential, bound);
     }
     if (magnitude) *magnitude += force.norm() * reach_of(contact, placed);
-    const ContactPoint& point = surface_.points[p];
+    const ContactPoint& point = point_of(row);
     for (std::size_t k = 0; k < 3; ++k)
       gradient.segment<3>(3 * static_cast<Eigen::Index>(point.vertices[k])) -= point.weights[k] * force;
-  });
+  }
   return energy;
 }
 
 double ContactEnergy::rounding(const VectorXd& u) const {
   double largest = pairs_.rounding(u);
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
-    const Contact contact = contact_of(piece, p, u);
+  for (const Row& row : rows_) {
+    const Piece& placed = piece_of(row);
+    const Contact contact = contact_of(row, u);
     if (contact.pressing > 0)
       largest = std::max(largest, std::numeric_limits<double>::epsilon() * row.stiffness * reach_of(contact, placed));
-  });
+  }
   return largest;
 }
 
 std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefinite) const {
   std::vector<ContactBlock> blocks;
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
-    const Contact contact = contact_of(piece, p, u);
+  for (const Row& row : rows_) {
+    const Piece& placed = piece_of(row);
+    const Contact contact = contact_of(row, u);
     const double bound = placed.friction * row.bearing;
     // A point that just touches counts: a body that is set down would else have no stiffness against its weight.
     const bool touches = row.pressing + row.stiffness * contact.depth >= 0;
-    if (!touches && bound == 0) return;
+    if (!touches && bound == 0) continue;
     Matrix3d hessian = Matrix3d::Zero();
     if (touches) {
       hessian += row.stiffness * contact.normal * contact.normal.transpose();
       if (!semidefinite) hessian -= contact.pressing * contact.curvature;
     }
     if (bound > 0) hessian += sticking_hessian(contact.tangential, bound, row.sliding, row.normal);
-    const ContactPoint& point = surface_.points[p];
+    const ContactPoint& point = point_of(row);
     const double reach = reach_of(contact, placed);
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b)
         if (const double weight = point.weights[a] * point.weights[b]; weight > 0)
           blocks.push_back({point.vertices[a], point.vertices[b], weight * hessian, reach});
-  });
+  }
   return blocks;
 }
 
 ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
   ContactMemory memory(slots_);
   pairs_.remember(u, memory);
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
-    const Contact contact = contact_of(piece, p, u);
-    ContactForce& force = memory[piece.first_row + p];
+  for (const Row& row : rows_) {
+    const Piece& placed = piece_of(row);
+    const Contact contact = contact_of(row, u);
+    ContactForce& force = memory[surface_.pieces[row.piece].first_row + row.point];
     force.normal = contact.pressing;
     if (row.bearing > 0)
       force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
-  });
+  }
   return memory;
 }
 
 std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_t>& bodies, const VectorXd& u) const {
   std::vector<BodyContact> contacts;
   pairs_.append_to(contacts, u);
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
-    const Contact contact = contact_of(piece, p, u);
-    contacts.push_back({{bodies[surface_.points[p].vertices[0]], BodyContact::kTool},
+  for (const Row& row : rows_) {
+    const Piece& placed = piece_of(row);
+    const Contact contact = contact_of(row, u);
+    contacts.push_back({{bodies[point_of(row).vertices[0]], BodyContact::kTool},
                         contact.normal,
                         row.stiffness,
                         row.pressing,
@@ -180,24 +182,25 @@ std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_
                         contact.tangential,
                         row.sliding,
                         placed.friction * row.bearing});
-  });
+  }
   return contacts;
 }
 
 std::vector<ToolLoad> ContactEnergy::loads(const VectorXd& u) const {
   std::vector<ToolLoad> loads(model_.tools.size());
-  for_rows([&](const ContactPiece& piece, const Piece& placed, std::size_t p, const Row& row) {
-    const Contact contact = contact_of(piece, p, u);
+  for (const Row& row : rows_) {
+    const Piece& placed = piece_of(row);
+    const Contact contact = contact_of(row, u);
     const double bound = placed.friction * row.bearing;
-    if (contact.pressing == 0 && bound == 0) return;
-    ToolLoad& load = loads[piece.tool];
+    if (contact.pressing == 0 && bound == 0) continue;
+    ToolLoad& load = loads[surface_.pieces[row.piece].tool];
     const Vector3d force = contact.pressing * contact.normal + within(contact.tangential, bound);
     load.force += force;
     load.torque += (contact.x - placed.origin).cross(force);
-    if (contact.pressing == 0) return;
+    if (contact.pressing == 0) continue;
     ++load.points;
     load.deepest = std::max(load.deepest, contact.depth);
-  });
+  }
   return loads;
 }
 

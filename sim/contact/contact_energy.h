@@ -31,12 +31,12 @@ class ContactEnergy {
  public:
   /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory
   /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. `aim`: displacements where
-  /// velocities lead, if any. `kept`: kept_shares(), or
-  /// all of the forces. The first two outlive this object.
+  /// velocities lead, if any. `kept`: kept_shares(), or all of the forces. `near`: [point, or more] a bit for each
+  /// piece that the point has a row with; empty: with all. The first two outlive this object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
                 std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {},
-                const std::vector<double>& kept = {});
+                const std::vector<double>& kept = {}, const std::vector<std::uint32_t>& near = {});
 
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count], and to `magnitude` what
   /// times the machine epsilon bounds its rounding [J]: forces times the coordinates that they are computed from.
@@ -62,6 +62,7 @@ class ContactEnergy {
     double friction, share;  // of the penalty and the area at level 0
   };
   struct Row {
+    std::uint32_t piece, point;  // of the surface
     double stiffness;
     Eigen::Vector3d friction;     // t, across `normal`
     Eigen::Vector3d anchor;       // where the piece takes the point to that was at the start [m]
@@ -76,18 +77,18 @@ class ContactEnergy {
     Eigen::Matrix3d curvature;              // of the distance
     double pressing, depth;                 // N, and -d
   };
-  Contact contact_of(const ContactPiece& piece, std::size_t p, const Eigen::VectorXd& u) const;
+  Contact contact_of(const Row& row, const Eigen::VectorXd& u) const;
   /// [m] largest coordinate that the force is computed from
   static double reach_of(const Contact& contact, const Piece& placed);
   Eigen::Vector3d position(const ContactPoint& point, const Eigen::VectorXd& u) const;
   Eigen::Vector3d position(const ContactPoint& point, const std::vector<Eigen::Vector3d>& u) const;
-  template <class F>
-  void for_rows(F&& f) const;
+  const Piece& piece_of(const Row& row) const { return pieces_[row.piece]; }
+  const ContactPoint& point_of(const Row& row) const { return surface_.points[row.point]; }
 
   const Model& model_;
   const ContactSurface& surface_;
   std::vector<Piece> pieces_;
-  std::vector<Row> rows_;
+  std::vector<Row> rows_;  // those that there are
   PairEnergy pairs_;
   std::size_t slots_;  // of the memory
 };

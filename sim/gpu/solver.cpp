@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "sim/contact/first_state.h"
 #include "sim/gpu/methods/methods.h"
 #include "sim/gpu/passes/compute_probe.h"
 #include "sim/gpu/unfolding.h"
@@ -88,7 +89,7 @@ void GpuSolver::make_method() {
   acceleration_ = make_acceleration(accelerated);
 }
 
-void GpuSolver::reset() { upload(initial_state(given_)); }
+void GpuSolver::reset() { upload(first_state(given_)); }
 
 void GpuSolver::upload(const State& state) {
   buffers_.upload_state(model_, state);

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "sim/contact/contact_surface.h"
+#include "sim/contact/first_state.h"
 #include "sim/contact/pair_search.h"
 #include "sim/grab/build_model.h"
 #include "sim/model/region_materials.h"
@@ -50,7 +51,7 @@ Simulation::Simulation(Scene opened, Model built, gl::ProgramCache* programs, bo
   if (programs) gpu_ = std::make_unique<GpuSolver>(*programs, model, scene.solver, model.embedded, progress);
   if (use_reference) {
     renew_reference();
-    reference_state_ = initial_state(model);
+    reference_state_ = first_state(model);
   }
   begin_anew();
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "sim/contact/first_state.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {
@@ -138,7 +139,7 @@ void Simulation::reset() {
 
 void Simulation::go_back_to(bool rest) {
   leave_equilibrium();
-  const State start = rest || !start_ ? initial_state(model) : *start_;
+  const State start = rest || !start_ ? first_state(model) : *start_;
   if (reference_) reference_state_ = start;
   if (gpu_) gpu_->upload(start);
   led_.restart(start.led);

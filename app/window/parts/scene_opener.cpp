@@ -6,6 +6,7 @@
 
 #include "app/window/parts/autosave.h"
 #include "base/interrupt.h"
+#include "sim/contact/first_state.h"
 #include "sim/scene/scene_write.h"
 
 namespace fascia {
@@ -25,7 +26,7 @@ std::unique_ptr<Session> SceneOpener::open(const fs::path& path, const std::vect
 std::unique_ptr<Session> SceneOpener::resume(const fs::path& path) {
   OpeningScreen screen(graphics_, overlay_, Autosave::name_in(path));
   Opened input = read(path, {}, screen);
-  const State state = input.replay && input.replay->start ? *input.replay->start : initial_state(input.model);
+  const State state = input.replay && input.replay->start ? *input.replay->start : first_state(input.model);
   input.replay.reset();
   move_scene(input.scene, fs::current_path() / (Autosave::name_in(path) + ".json"));  // the name that saving suggests
   std::unique_ptr<Session> session = make(input, screen, kReadShare);

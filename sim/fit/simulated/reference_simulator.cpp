@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/contact/first_state.h"
 #include "sim/integrators/integrator.h"
 #include "sim/reference/newton.h"
 
@@ -70,7 +71,7 @@ std::optional<Course> ReferenceSimulator::motion(const Scene& scene, const Model
   const double step = scene.solver.time_step;
   const ObservedSteps steps(schedule, step);
   reference::NewtonSolver solver(model, scene.solver, stop_);
-  State state = initial_state(model);
+  State state = first_state(model);
   Course course;
   const auto observe = [&](long number, double time, std::vector<GrabSpring> springs) {
     if (steps.numbers.contains(number))

@@ -49,9 +49,13 @@ class Problem {
       inertia_.segment<3>(first_[body]).setConstant(bodies[body].mass / (length * length));
       pull_.segment<3>(first_[body]) = bodies[body].missing / (length * length);
     }
-    for (const BodyContact& c : contacts) reach = std::max(reach, 2 * (c.depth + c.before / c.stiffness));
-    for (const BodyContact& c : contacts)
-      if (c.bound > 0 || c.before + c.stiffness * (c.depth + reach) > 0) contacts_.push_back(c);
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(contacts_), [&](const BodyContact& c) {
+      return first_[c.bodies[0]] >= 0 || (c.bodies[1] != BodyContact::kTool && first_[c.bodies[1]] >= 0);
+    });
+    for (const BodyContact& c : contacts_) reach = std::max(reach, 2 * (c.depth + c.before / c.stiffness));
+    std::erase_if(contacts_, [&](const BodyContact& c) {
+      return c.bound <= 0 && c.before + c.stiffness * (c.depth + reach) <= 0;
+    });
   }
 
   Index unknowns() const { return pull_.size(); }
@@ -68,7 +72,6 @@ class Problem {
     if (hessian) *hessian = inertia_.asDiagonal();
     for (const BodyContact& c : contacts_) {
       const Index at[] = {first_[c.bodies[0]], c.bodies[1] == BodyContact::kTool ? -1 : first_[c.bodies[1]]};
-      if (at[0] < 0 && at[1] < 0) continue;
       Vector3d way(0, 0, 0);
       if (at[0] >= 0) way += d.segment<3>(at[0]);
       if (at[1] >= 0) way -= d.segment<3>(at[1]);
@@ -100,7 +103,7 @@ class Problem {
   }
 
  private:
-  std::vector<BodyContact> contacts_;  // that press, or may
+  std::vector<BodyContact> contacts_;  // of bodies that move, which press or may
   std::vector<Index> first_;           // [body] of its unknowns, or -1
   VectorXd inertia_, pull_;
 };
@@ -109,34 +112,33 @@ class Problem {
 
 std::vector<Vector3d> best_translations(const std::vector<BodyInertia>& bodies,
                                         const std::vector<BodyContact>& contacts, double length, double least) {
-  constexpr int kMostSteps = 12, kMostHalves = 20;
-  constexpr double kArmijo = 1e-4;                                    // of the decrease that a step promises
-  constexpr double kRounds[] = {1e-5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
+  constexpr int kFewSteps = 4, kMostSteps = 12, kMostHalves = 20;
+  constexpr double kArmijo = 1e-4;                              // of the decrease that a step promises
+  constexpr double kRounds[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
   const Problem problem(bodies, contacts, length);
   VectorXd d = VectorXd::Zero(problem.unknowns()), gradient, there;
   const double largest = problem.largest_force();
   if (problem.unknowns() == 0 || !(largest > 0)) return problem.of_bodies(d);
   MatrixXd hessian;
-  for (const double& share_of_largest : kRounds) {
-    const double round = share_of_largest * largest;
-    for (int step = 0; step < kMostSteps; ++step) {
+  // Whether d is the minimum, after so many steps at most.
+  const auto descend = [&](double round, int steps) {
+    for (int step = 0; step < steps; ++step) {
       const double energy = problem.evaluate(d, round, gradient, &hessian);
       const VectorXd way = hessian.ldlt().solve(-gradient);
       const double promised = -way.dot(gradient);
-      const bool enough = !(way.cwiseAbs().maxCoeff() > least);
-      if (&share_of_largest == kRounds) {  // most bodies are where they should be
-        if (enough) return problem.of_bodies(d);
-        break;
-      }
-      if (enough) break;
+      if (!(way.cwiseAbs().maxCoeff() > least)) return true;
       double share = 1;
       int half = 0;
       for (; half < kMostHalves; ++half, share *= 0.5)
         if (problem.evaluate(d + share * way, round, there, nullptr) <= energy - kArmijo * share * promised) break;
-      if (half == kMostHalves) break;
+      if (half == kMostHalves) return false;
       d += share * way;
     }
-  }
+    return false;
+  };
+  // Most bodies are nearly where they should be.
+  if (descend(kRounds[std::size(kRounds) - 1] * largest, kFewSteps)) return problem.of_bodies(d);
+  for (const double round : kRounds) descend(round * largest, kMostSteps);
   return problem.of_bodies(d);
 }
 
@@ -159,6 +161,10 @@ void BodyTranslations::begin(const std::vector<VertexStiffness>& springs) {
   free_.clear();
   for (const char held : held_) free_.push_back(!held);
   for (const VertexStiffness& spring : springs) free_[at_place_[spring.vertex]] = 0;
+}
+
+bool BodyTranslations::may_move() const {
+  return std::any_of(held_.begin(), held_.end(), [](char held) { return !held; });
 }
 
 bool BodyTranslations::empty() const {

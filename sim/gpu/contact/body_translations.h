@@ -32,6 +32,7 @@ class BodyTranslations {
 
   /// In a stage with springs at places of the buffers' vertices: bodies that are held, or that a spring pulls, stay.
   void begin(const std::vector<VertexStiffness>& springs);
+  bool may_move() const;
   bool empty() const;  // whether no body moves, after begin()
   /// Moves the bodies from displacements `u` [vertex of the model]; false: all are where they should be. `predicted`:
   /// u~ [m]; `length`: of the stage [s].

@@ -145,7 +145,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
   starts_ = BodyStarts(model, buffers, first_vertices);
-  if (!pairs_.empty()) translations_ = BodyTranslations(model, buffers);
+  translations_ = BodyTranslations(model, buffers);
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.row_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -209,7 +209,7 @@ void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
   pairs_.materials_changed(model, std::span(softened).subspan(surface_.row_count));
   if (softened != left) buffers.upload_contact(softened);
   starts_.materials_changed(model);
-  if (!pairs_.empty()) translations_.materials_changed(model);
+  translations_.materials_changed(model);
 }
 
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage,
@@ -227,21 +227,30 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
     const bool had_pairs = !pairs_.rows().empty();
     pairs_.begin(time, stage, buffers, surface_.row_count);
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
-    translations_.begin(springs);
   }
+  translations_.begin(springs);
   starts_.begin(model_.gravity, pairs_);
 }
 
-void ContactTerm::translate_bodies(SimBuffers& buffers) const {
-  if (pairs_.empty() || translations_.empty()) return;
-  std::vector<Vector3d> u = buffers.download_vectors(buffers.displacement);
-  ContactMemory before = buffers.contact_forces(buffers.contact_before);
+void ContactTerm::translate_bodies(SimBuffers& buffers, gl::Downloads& downloads) const {
+  if (translations_.empty()) return;
+  std::vector<vec4> at(buffers.vertex_count), from(at.size()), aim(at.size());
+  std::vector<vec4> left(surface_.row_count + pairs_.row_count());
+  std::vector<std::uint32_t> near(point_count());
+  downloads.add(buffers.displacement, at.size() * sizeof(vec4), at.data());
+  downloads.add(buffers.start_of_stage(), from.size() * sizeof(vec4), from.data());
+  downloads.add(buffers.predicted, aim.size() * sizeof(vec4), aim.data());
+  downloads.add(buffers.contact_before, left.size() * sizeof(vec4), left.data());
+  if (!near.empty()) downloads.add(near_, near.size() * sizeof(std::uint32_t), near.data());
+  downloads.run();
+  ContactMemory before = SimBuffers::contact_forces(left);
   for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;
+  const std::vector<Vector3d> started = buffers.vectors_of(from);
+  std::vector<Vector3d> u = buffers.vectors_of(at);
   const Eigen::VectorXd start =
-      Eigen::Map<const Eigen::VectorXd>(pairs_.start().data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
-  if (translations_.move(ContactEnergy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_),
-                         buffers.download_vectors(buffers.predicted), length_, u))
-    buffers.upload_displacements(u, true);
+      Eigen::Map<const Eigen::VectorXd>(started.data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
+  const ContactEnergy energy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_, near);
+  if (translations_.move(energy, buffers.vectors_of(aim), length_, u)) buffers.upload_displacements(u, true);
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {

@@ -293,9 +293,12 @@ std::vector<Eigen::Vector3d> SimBuffers::download_accelerations(const Eigen::Vec
   return vectors;
 }
 
-ContactMemory SimBuffers::contact_forces(const gl::Buffer& buffer) const {
+ContactMemory SimBuffers::contact_forces(const gl::Buffer& buffer) const { return contact_forces(buffer.read<vec4>()); }
+
+ContactMemory SimBuffers::contact_forces(const std::vector<vec4>& content) {
   ContactMemory memory;
-  for (const vec4& force : buffer.read<vec4>()) memory.push_back({{force.x, force.y, force.z}, force.w});
+  memory.reserve(content.size());
+  for (const vec4& force : content) memory.push_back({{force.x, force.y, force.z}, force.w});
   return memory;
 }
 
@@ -309,10 +312,14 @@ void SimBuffers::upload_contact(const ContactMemory& memory) {
 std::vector<Eigen::Vector3d> SimBuffers::download_vectors(const gl::Buffer& buffer) const {
   std::vector<vec4> values(vertex_count);
   buffer.download(0, values.size() * sizeof(vec4), values.data());
+  return vectors_of(values);
+}
+
+std::vector<Eigen::Vector3d> SimBuffers::vectors_of(const std::vector<vec4>& content) const {
   std::vector<Eigen::Vector3d> vectors;
   vectors.reserve(vertex_count);
   for (const std::uint32_t place : placement.place)
-    vectors.emplace_back(values[place].x, values[place].y, values[place].z);
+    vectors.emplace_back(content[place].x, content[place].y, content[place].z);
   return vectors;
 }
 

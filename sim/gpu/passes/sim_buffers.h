@@ -127,8 +127,11 @@ struct SimBuffers {
   std::vector<Eigen::Vector3d> download_accelerations(const Eigen::Vector3d& gravity, double l) const;
   /// The xyz of a buffer, vec4 [vertex_count or more], in the model's vertex order. Waits for the GPU.
   std::vector<Eigen::Vector3d> download_vectors(const gl::Buffer& buffer) const;
+  /// The xyz of its content.
+  std::vector<Eigen::Vector3d> vectors_of(const std::vector<shared::vec4>& content) const;
   ContactMemory contact_forces(const gl::Buffer& buffer) const;  // of a copy of contact_memory
-  void upload_contact(const ContactMemory& memory);              // zeros where it has fewer rows
+  static ContactMemory contact_forces(const std::vector<shared::vec4>& content);
+  void upload_contact(const ContactMemory& memory);  // zeros where it has fewer rows
   /// Also updates the masses, which follow density; call after any material change.
   void upload_materials(const Model& model);
   void upload_step(const Model& model, const SolverSettings& settings, const IntegratorStage& stage);
