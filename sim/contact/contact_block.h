@@ -34,10 +34,11 @@ double sticking_energy(const Eigen::Vector3d& q, double bound, double penalty);
 /// Its second derivatives by the way across the normal `n` [N/m].
 Eigen::Matrix3d sticking_hessian(const Eigen::Vector3d& q, double bound, double penalty, const Eigen::Vector3d& n);
 
-/// What presses or may press, as translations of whole bodies see it: linear in them.
+/// What presses or may press, as motions of whole bodies see it.
 struct BodyContact {
   static constexpr std::uint32_t kTool = ~0u;
   std::array<std::uint32_t, 2> bodies;      // that the normal points to, and the other or kTool
+  std::array<Eigen::Vector3d, 2> places;    // of what touches on both sides [m]; on a tool of no matter
   Eigen::Vector3d normal;                   // a unit vector
   double stiffness, before, depth;          // k [N/m], lambda [N], of the penalty on depth [m]
   Eigen::Vector3d slip_normal, tangential;  // n0, q [N]

@@ -174,6 +174,7 @@ std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
     contacts.push_back({{bodies[point_of(row).vertices[0]], BodyContact::kTool},
+                        {contact.x, contact.x},
                         contact.normal,
                         row.stiffness,
                         row.pressing,

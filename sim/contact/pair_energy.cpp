@@ -109,7 +109,13 @@ void PairEnergy::append_to(std::vector<BodyContact>& contacts, const VectorXd& u
     const PairRow& row = rows_[i];
     if (row.bodies[0] == row.bodies[1]) continue;
     const Contact contact = contact_of(i, u);
-    contacts.push_back({row.bodies, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth, row.normal,
+    std::array<Vector3d, 2> places{Vector3d(0, 0, 0), Vector3d(0, 0, 0)};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t v = row.vertices[k];
+      places[row.weights[k] > 0 ? 0 : 1] +=
+          std::abs(row.weights[k]) * (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
+    }
+    contacts.push_back({row.bodies, places, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth, row.normal,
                         contact.tangential, kStickingPenalty * row.stiffness, friction_ * before_[i].normal});
   }
 }

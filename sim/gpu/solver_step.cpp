@@ -137,7 +137,7 @@ void GpuSolver::end_iterations() {
     fused->check.run();
   else
     run(kind_->passes.check);
-  if (touches() && !is_partial()) contact_.translate_bodies(buffers_, downloads_);
+  if (touches() && !is_partial()) contact_.move_bodies(buffers_, downloads_);
 }
 
 void GpuSolver::solve_stage(const IntegratorStage& stage) {

@@ -11,8 +11,8 @@
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
+#include "sim/gpu/contact/body_motions.h"
 #include "sim/gpu/contact/body_starts.h"
-#include "sim/gpu/contact/body_translations.h"
 #include "sim/gpu/contact/pair_stage.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
@@ -38,9 +38,9 @@ class ContactTerm : public EnergyTerm {
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
   /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes
-  /// (body_translations.h). Waits for the GPU if there are any.
-  void translate_bodies(SimBuffers& buffers, gl::Downloads& downloads) const;
-  bool may_translate() const { return translations_.may_move(); }
+  /// (body_motions.h). Waits for the GPU if there are any.
+  void move_bodies(SimBuffers& buffers, gl::Downloads& downloads) const;
+  bool may_move_bodies() const { return motions_.may_move(); }
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
@@ -129,7 +129,7 @@ class ContactTerm : public EnergyTerm {
   double half_thickness_ = 0, margin_ = 0;         // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                              // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
-  BodyTranslations translations_;
+  BodyMotions motions_;
   std::uint32_t most_entries_ = 0;                    // of a vertex, two points each
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points

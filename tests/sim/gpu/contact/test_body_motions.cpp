@@ -1,5 +1,5 @@
 // Bodies that touch go on as wholes: they keep their momentum, and slide where nothing holds them.
-#include "sim/gpu/contact/body_translations.h"
+#include "sim/gpu/contact/body_motions.h"
 
 #include <catch2/catch.hpp>
 
@@ -87,33 +87,50 @@ TEST_CASE("a cube that slides without friction keeps its speed after ten iterati
   if (!held) CHECK(momentum.x() == Approx(mass * 0.25).epsilon(1e-3));
 }
 
-TEST_CASE("the best translations balance inertia, contact and friction", "[contact]") {
+TEST_CASE("the best motions balance inertia, contact and friction", "[contact]") {
   const Vector3d up(0, 1, 0);
-  const double length = 0.1;
+  const double length = 0.1, turned = 0.02;  // [s], [kg m^2]
+  const auto body = [&](double mass, const Vector3d& missing) {
+    return BodyInertia{mass, missing, Vector3d(0, 0, 0), turned * Eigen::Matrix3d::Identity(), Vector3d(0, 0, 0)};
+  };
   const auto contact = [&](std::array<std::uint32_t, 2> bodies, double bound) {
-    return BodyContact{bodies, up, 400, 0, 0.01, up, {0, 0, 0}, 40, bound};
+    return BodyContact{bodies, {Vector3d(0, 0, 0), Vector3d(0, 0, 0)}, up, 400, 0, 0.01, up, {0, 0, 0}, 40, bound};
   };
   SECTION("on a plane: each direction by itself") {
-    const std::vector<BodyInertia> bodies{{2, {0.06, -0.002, 0}}};
-    const Vector3d way = best_translations(bodies, {contact({0, BodyContact::kTool}, 0)}, length, 1e-12)[0];
+    const std::vector<BodyInertia> bodies{body(2, {0.06, -0.002, 0})};
+    const Vector3d way = best_motions(bodies, {contact({0, BodyContact::kTool}, 0)}, length, 1e-12)[0].way;
     // 2 / 0.01 d = -0.2 + 400 (0.01 - d)
     CHECK((way - Vector3d(0.03, 3.8 / 600, 0)).norm() < 1e-9);
   }
   SECTION("friction that holds, and friction that slides") {
-    const std::vector<BodyInertia> bodies{{2, {0.06, 0, 0}}};
+    const std::vector<BodyInertia> bodies{body(2, {0.06, 0, 0})};
     const auto along = [&](double bound) {
-      return best_translations(bodies, {contact({0, BodyContact::kTool}, bound)}, length, 1e-12)[0].x();
+      return best_motions(bodies, {contact({0, BodyContact::kTool}, bound)}, length, 1e-12)[0].way.x();
     };
     CHECK(along(100) == Approx(6.0 / 240));  // 200 d + 40 d = 6
     CHECK(along(0.5) == Approx(5.5 / 200));  // 200 d + 0.5 = 6
   }
   SECTION("two bodies: momentum is kept, and one that stays does not move") {
-    const std::vector<BodyInertia> both{{2, {0, -0.004, 0.01}}, {3, {0, 0.003, 0}}};
-    const std::vector<Vector3d> ways = best_translations(both, {contact({0, 1}, 0.3)}, length, 1e-12);
-    CHECK((2 * ways[0] + 3 * ways[1] - Vector3d(0, -0.001, 0.01)).norm() < 1e-12);
-    CHECK(ways[0].y() > ways[1].y());
-    const std::vector<BodyInertia> one{{2, {0, -0.004, 0.01}}, {}};
-    CHECK(best_translations(one, {contact({0, 1}, 0.3)}, length, 1e-12)[1].norm() == 0);
+    const std::vector<BodyInertia> both{body(2, {0, -0.004, 0.01}), body(3, {0, 0.003, 0})};
+    const std::vector<BodyMotion> ways = best_motions(both, {contact({0, 1}, 0.3)}, length, 1e-12);
+    CHECK((2 * ways[0].way + 3 * ways[1].way - Vector3d(0, -0.001, 0.01)).norm() < 1e-12);
+    CHECK(ways[0].way.y() > ways[1].way.y());
+    const std::vector<BodyInertia> one{body(2, {0, -0.004, 0.01}), {}};
+    CHECK(best_motions(one, {contact({0, 1}, 0.3)}, length, 1e-12)[1].way.norm() == 0);
+  }
+  SECTION("a body that touches beside its middle turns") {
+    BodyContact beside = contact({0, BodyContact::kTool}, 0);
+    beside.places[0] = {0.3, 0, 0};
+    const BodyMotion motion = best_motions({body(2, {0, -0.004, 0})}, {beside}, length, 1e-12)[0];
+    // F = 400 (0.01 - y - 0.3 turn), y = -0.002 + 0.01 F / 2, turn = 0.3 * 0.01 F / 0.02
+    const double force = 400 * 0.012 / (1 + 400 * 0.01 * (1.0 / 2 + 0.3 * 0.3 / turned));
+    CHECK((motion.way - Vector3d(0, -0.002 + 0.01 * force / 2, 0)).norm() < 1e-9);
+    CHECK((motion.turn - Vector3d(0, 0, 0.3 * 0.01 * force / turned)).norm() < 1e-9);
+  }
+  SECTION("inertia alone turns a body about any axis") {
+    BodyInertia alone = body(2, {0, 0, 0});
+    alone.missing_turn = {0.001, -0.002, 0.003};
+    CHECK((best_motions({alone}, {}, length, 1e-12)[0].turn - alone.missing_turn / turned).norm() < 1e-12);
   }
   SECTION("many points of which a few press: exact in a few rounded steps") {
     std::vector<BodyContact> contacts;
@@ -124,8 +141,8 @@ TEST_CASE("the best translations balance inertia, contact and friction", "[conta
       c.depth = 1e-5 * std::sin(1.7 * i);
       contacts.push_back(c);
     }
-    const std::vector<BodyInertia> bodies{{0.5, {0.5 * 4e-3, -0.5 * 2.7e-3, 0}}};
-    const Vector3d way = best_translations(bodies, contacts, 1.0 / 60, 1e-12)[0];
+    const std::vector<BodyInertia> bodies{body(0.5, {0.5 * 4e-3, -0.5 * 2.7e-3, 0})};
+    const Vector3d way = best_motions(bodies, contacts, 1.0 / 60, 1e-12)[0].way;
     Vector3d missing = 3600 * (bodies[0].missing - 0.5 * way);  // and what contact adds is nothing
     const double weight = missing.norm();
     for (const BodyContact& c : contacts)

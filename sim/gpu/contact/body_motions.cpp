@@ -1,0 +1,285 @@
+#include "sim/gpu/contact/body_motions.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/tissue_surface.h"
+
+namespace fascia {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+VectorXd flat(const std::vector<Vector3d>& vectors) {
+  return Eigen::Map<const VectorXd>(vectors.data()->data(), 3 * static_cast<Index>(vectors.size()));
+}
+
+/// max(0, force), its integral and its slope, rounded over a width of `round` > 0. Points begin to press and let go in
+/// turn while bodies slide over them; Newton's method makes steps of any length only where that is smooth.
+struct Pressing {
+  double force, integral, slope;
+};
+
+Pressing pressing_of(double force, double round) {
+  if (force <= -round) return {0, 0, 0};
+  if (force >= round) return {force, 0.5 * force * force + round * round / 6, 1};
+  const double over = force + round;
+  return {over * over / (4 * round), over * over * over / (12 * round), over / (2 * round)};
+}
+
+Matrix3d cross(const Vector3d& v) {
+  return (Matrix3d() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
+}
+
+// The unknowns of a body: its way, and its turn times its radius of gyration.
+class Problem {
+ public:
+  Problem(const std::vector<BodyInertia>& bodies, const std::vector<BodyContact>& contacts, double length)
+      : bodies_(bodies), first_(bodies.size(), -1), radius_(bodies.size()) {
+    Index count = 0;
+    double reach = 0;  // [m] that a body may go, amply
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const BodyInertia& body = bodies[b];
+      if (!(body.mass > 0)) continue;
+      first_[b] = kUnknowns * count++;
+      radius_[b] = std::sqrt(0.5 * body.turning.trace() / body.mass);
+      reach = std::max(reach, 8 * body.missing.norm() / body.mass);
+    }
+    inertia_.setZero(kUnknowns * count, kUnknowns * count);
+    pull_.setZero(kUnknowns * count);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (first_[b] < 0) continue;
+      const double per_square = 1 / (length * length), turned = per_square / radius_[b];
+      inertia_.block<3, 3>(first_[b], first_[b]).diagonal().setConstant(bodies[b].mass * per_square);
+      inertia_.block<3, 3>(first_[b] + 3, first_[b] + 3) = turned / radius_[b] * bodies[b].turning;
+      pull_.segment<3>(first_[b]) = per_square * bodies[b].missing;
+      pull_.segment<3>(first_[b] + 3) = turned * bodies[b].missing_turn;
+    }
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(contacts_), [&](const BodyContact& c) {
+      return first_[c.bodies[0]] >= 0 || (c.bodies[1] != BodyContact::kTool && first_[c.bodies[1]] >= 0);
+    });
+    for (const BodyContact& c : contacts_) reach = std::max(reach, 2 * (c.depth + c.before / c.stiffness));
+    std::erase_if(contacts_, [&](const BodyContact& c) {
+      return c.bound <= 0 && c.before + c.stiffness * (c.depth + reach) <= 0;
+    });
+  }
+
+  Index unknowns() const { return pull_.size(); }
+  /// Of contact where bodies are, and of inertia [N].
+  double largest_force() const {
+    double largest = unknowns() > 0 ? pull_.cwiseAbs().maxCoeff() : 0;
+    for (const BodyContact& c : contacts_) largest = std::max(largest, c.before + c.stiffness * c.depth);
+    return largest;
+  }
+
+  double evaluate(const VectorXd& d, double round, VectorXd& gradient, MatrixXd* hessian) const {
+    const VectorXd borne = inertia_ * d;
+    double energy = 0.5 * d.dot(borne) - d.dot(pull_);
+    gradient = borne - pull_;
+    if (hessian) *hessian = inertia_;
+    for (const BodyContact& c : contacts_) {
+      const Side sides[] = {side(c, 0), side(c, 1)};
+      Vector3d way(0, 0, 0);
+      for (const Side& s : sides)
+        if (s.first >= 0) way += s.sign * (d.segment<3>(s.first) + d.segment<3>(s.first + 3).cross(s.arm));
+      const Pressing pressing = pressing_of(c.before + c.stiffness * (c.depth - c.normal.dot(way)), round);
+      energy += pressing.integral / c.stiffness;
+      Vector3d force = pressing.force * c.normal;
+      Matrix3d block = pressing.slope * c.stiffness * c.normal * c.normal.transpose();
+      if (c.bound > 0) {
+        const Vector3d q = c.tangential - c.sliding * (way - way.dot(c.slip_normal) * c.slip_normal);
+        energy += sticking_energy(q, c.bound, c.sliding);
+        force += within(q, c.bound);
+        block += sticking_hessian(q, c.bound, c.sliding, c.slip_normal);
+      }
+      for (const Side& s : sides) {
+        if (s.first < 0) continue;
+        gradient.segment<3>(s.first) -= s.sign * force;
+        gradient.segment<3>(s.first + 3) -= s.sign * s.arm.cross(force);
+      }
+      if (hessian && (pressing.slope > 0 || c.bound > 0)) add(block, sides, *hessian);
+    }
+    return energy;
+  }
+
+  std::vector<BodyMotion> of_bodies(const VectorXd& d) const {
+    std::vector<BodyMotion> result(first_.size());
+    for (std::size_t b = 0; b < first_.size(); ++b)
+      if (first_[b] >= 0) result[b] = {d.segment<3>(first_[b]), d.segment<3>(first_[b] + 3) / radius_[b]};
+    return result;
+  }
+
+ private:
+  static constexpr Index kUnknowns = 6;
+  struct Side {
+    Index first;  // unknown of its body, or -1
+    double sign;
+    Vector3d arm;  // from the center, over the radius
+  };
+  Side side(const BodyContact& c, std::size_t k) const {
+    const std::uint32_t body = c.bodies[k];
+    if (body == BodyContact::kTool || first_[body] < 0) return {-1, 0, {0, 0, 0}};
+    return {first_[body], k == 0 ? 1.0 : -1.0, (c.places[k] - bodies_[body].center) / radius_[body]};
+  }
+  // `block`: the second derivatives by the way of the sides against each other.
+  static void add(const Matrix3d& block, const Side (&sides)[2], MatrixXd& hessian) {
+    for (const Side& row : sides)
+      for (const Side& column : sides) {
+        if (row.first < 0 || column.first < 0) continue;
+        const Matrix3d signed_block = row.sign * column.sign * block;
+        const Matrix3d turned = cross(row.arm) * signed_block, by_turn = -cross(column.arm);
+        hessian.block<3, 3>(row.first, column.first) += signed_block;
+        hessian.block<3, 3>(row.first, column.first + 3) += signed_block * by_turn;
+        hessian.block<3, 3>(row.first + 3, column.first) += turned;
+        hessian.block<3, 3>(row.first + 3, column.first + 3) += turned * by_turn;
+      }
+  }
+
+  const std::vector<BodyInertia>& bodies_;
+  std::vector<BodyContact> contacts_;  // of bodies that move, which press or may
+  std::vector<Index> first_;           // [body] of its unknowns, or -1
+  std::vector<double> radius_;         // [body] of gyration [m]
+  MatrixXd inertia_;
+  VectorXd pull_;
+};
+
+}  // namespace
+
+std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, const std::vector<BodyContact>& contacts,
+                                     double length, double least) {
+  constexpr int kFewSteps = 4, kMostSteps = 12, kMostHalves = 20;
+  constexpr double kArmijo = 1e-4;                              // of the decrease that a step promises
+  constexpr double kRounds[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
+  const Problem problem(bodies, contacts, length);
+  VectorXd d = VectorXd::Zero(problem.unknowns()), gradient, there;
+  const double largest = problem.largest_force();
+  if (problem.unknowns() == 0 || !(largest > 0)) return problem.of_bodies(d);
+  MatrixXd hessian;
+  // Whether d is the minimum, after so many steps at most.
+  const auto descend = [&](double round, int steps) {
+    for (int step = 0; step < steps; ++step) {
+      const double energy = problem.evaluate(d, round, gradient, &hessian);
+      const VectorXd way = hessian.ldlt().solve(-gradient);
+      const double promised = -way.dot(gradient);
+      if (!(way.cwiseAbs().maxCoeff() > least)) return true;
+      double share = 1;
+      int half = 0;
+      for (; half < kMostHalves; ++half, share *= 0.5)
+        if (problem.evaluate(d + share * way, round, there, nullptr) <= energy - kArmijo * share * promised) break;
+      if (half == kMostHalves) return false;
+      d += share * way;
+    }
+    return false;
+  };
+  // Most bodies are nearly where they should be.
+  if (descend(kRounds[std::size(kRounds) - 1] * largest, kFewSteps)) return problem.of_bodies(d);
+  for (const double round : kRounds) descend(round * largest, kMostSteps);
+  return problem.of_bodies(d);
+}
+
+BodyMotions::BodyMotions(const Model& model, const SimBuffers& buffers)
+    : model_(&model),
+      bodies_(bodies_of_vertices(model)),
+      at_place_(buffers.vertex_count),
+      held_(std::max<std::size_t>(model.bodies.size(), 1)),
+      size_(buffers.size) {
+  const std::vector<char> held = model.held();
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    at_place_[buffers.placement.place[v]] = bodies_[v];
+    held_[bodies_[v]] |= held[v];
+  }
+  materials_changed();
+}
+
+void BodyMotions::materials_changed() {
+  if (!model_) return;
+  masses_ = moving_masses(*model_);
+  weighs_.clear();
+  for (const double mass : lumped_masses(*model_)) weighs_.push_back(mass > 0);
+}
+
+bool BodyMotions::may_move() const {
+  return std::any_of(held_.begin(), held_.end(), [](char held) { return !held; });
+}
+
+void BodyMotions::begin(const std::vector<VertexStiffness>& springs) {
+  free_.clear();
+  for (const char held : held_) free_.push_back(!held);
+  for (const VertexStiffness& spring : springs) free_[at_place_[spring.vertex]] = 0;
+}
+
+bool BodyMotions::empty() const {
+  return std::none_of(free_.begin(), free_.end(), [](char free) { return free; });
+}
+
+std::vector<BodyInertia> BodyMotions::inertia_of(const std::vector<Vector3d>& predicted,
+                                                 const std::vector<Vector3d>& u) const {
+  std::vector<BodyInertia> bodies(free_.size());
+  // Calls f with the body, mass, place and missing way of all that moves.
+  const auto for_masses = [&](const auto& f) {
+    for (std::size_t v = 0; v < masses_.own.size(); ++v)
+      if (free_[bodies_[v]])
+        f(bodies[bodies_[v]], masses_.own[v], model_->rest_positions[v] + u[v], predicted[v] - u[v]);
+    for (std::size_t t = 0; t < masses_.centroid.size(); ++t) {
+      const std::uint32_t body = bodies_[model_->tets[t][0]];
+      if (masses_.centroid[t] == 0 || !free_[body]) continue;
+      Vector3d place(0, 0, 0), way(0, 0, 0);
+      for (const std::uint32_t v : model_->mid_edges[t]) {
+        place += (model_->rest_positions[v] + u[v]) / 6;
+        way += (predicted[v] - u[v]) / 6;
+      }
+      f(bodies[body], masses_.centroid[t], place, way);
+    }
+  };
+  for_masses([](BodyInertia& body, double mass, const Vector3d& x, const Vector3d& way) {
+    body.mass += mass;
+    body.center += mass * x;
+    body.missing += mass * way;
+  });
+  for (BodyInertia& body : bodies)
+    if (body.mass > 0) body.center /= body.mass;
+  for_masses([](BodyInertia& body, double mass, const Vector3d& x, const Vector3d& way) {
+    const Vector3d arm = x - body.center;
+    body.turning += mass * (arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose());
+    body.missing_turn += mass * arm.cross(way);
+  });
+  return bodies;
+}
+
+bool BodyMotions::move(const ContactEnergy& contact, const std::vector<Vector3d>& predicted, double length,
+                       std::vector<Vector3d>& u) const {
+  constexpr int kMostPasses = 4;        // turns are not small
+  constexpr double kLargestTurn = 0.5;  // [rad] in a pass
+  const double least = 1e-9 * size_;    // [m] that matters in single precision
+  bool moves = false;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const std::vector<BodyInertia> inertia = inertia_of(predicted, u);
+    std::vector<BodyMotion> motions = best_motions(inertia, contact.of_bodies(bodies_, flat(u)), length, least);
+    double largest = 0;
+    for (const BodyMotion& motion : motions) largest = std::max(largest, motion.turn.norm());
+    if (largest > kLargestTurn)
+      for (BodyMotion& motion : motions)
+        motion = {kLargestTurn / largest * motion.way, kLargestTurn / largest * motion.turn};
+    bool turns = false;
+    for (std::size_t v = 0; v < bodies_.size(); ++v) {
+      const BodyMotion& motion = motions[bodies_[v]];
+      const double angle = motion.turn.norm();
+      if (!weighs_[v] || (motion.way.isZero(0) && angle == 0)) continue;
+      const Vector3d arm = model_->rest_positions[v] + u[v] - inertia[bodies_[v]].center;
+      u[v] += motion.way;
+      if (angle > 0) u[v] += Eigen::AngleAxisd(angle, motion.turn / angle) * arm - arm;
+      moves = true;
+      turns |= angle * angle * arm.norm() > least;
+    }
+    if (!turns) break;
+  }
+  return moves;
+}
+
+}  // namespace fascia

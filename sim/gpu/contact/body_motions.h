@@ -1,0 +1,64 @@
+// Moves bodies as wholes to where the objective of a stage is least along their rigid motions. Elastic energy does not
+// change with these, so that inertia and contact alone say where it is: a convex problem of six unknowns for each body
+// where turns are small, solved in double precision. Iterations find these directions late where contact is stiff: a
+// step that presses too much is shortened as a whole, and bodies that slide, tip or part lose their momentum with it.
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "sim/coarse/coarse_matrix.h"
+#include "sim/contact/contact_energy.h"
+#include "sim/gpu/passes/sim_buffers.h"
+
+namespace fascia {
+
+/// What inertia asks of a body.
+struct BodyInertia {
+  double mass = 0;                                    // [kg]; 0: it stays
+  Eigen::Vector3d missing{0, 0, 0};                   // sum of m (u~ - u) over its masses [kg m]
+  Eigen::Vector3d center{0, 0, 0};                    // of mass [m]
+  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();  // sum of m (r.r 1 - r r^T), r from the center [kg m^2]
+  Eigen::Vector3d missing_turn{0, 0, 0};              // sum of r x m (u~ - u) [kg m^2]
+};
+
+/// x goes to x + way + turn x (x - center), or to where a turn by that vector takes it.
+struct BodyMotion {
+  Eigen::Vector3d way{0, 0, 0}, turn{0, 0, 0};  // [m], [rad]
+};
+
+/// [body] the motions in a stage of this length [s], to `least` [m]. Tools count as the planes that they are where
+/// points are, and turns as small.
+std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, const std::vector<BodyContact>& contacts,
+                                     double length, double least);
+
+class BodyMotions {
+ public:
+  BodyMotions() = default;
+  /// `model`: in its own order, outlives this.
+  BodyMotions(const Model& model, const SimBuffers& buffers);
+  void materials_changed();
+
+  bool may_move() const;  // whether nothing holds some body
+  /// In a stage with springs at places of the buffers' vertices: bodies that are held, or that a spring pulls, stay.
+  void begin(const std::vector<VertexStiffness>& springs);
+  bool empty() const;  // whether no body moves, after begin()
+  /// Moves the bodies from displacements `u` [vertex of the model]; false: all are where they should be. `predicted`:
+  /// u~ [m]; `length`: of the stage [s].
+  bool move(const ContactEnergy& contact, const std::vector<Eigen::Vector3d>& predicted, double length,
+            std::vector<Eigen::Vector3d>& u) const;
+
+ private:
+  std::vector<BodyInertia> inertia_of(const std::vector<Eigen::Vector3d>& predicted,
+                                      const std::vector<Eigen::Vector3d>& u) const;
+
+  const Model* model_ = nullptr;
+  std::vector<std::uint32_t> bodies_;    // [vertex of the model]
+  std::vector<std::uint32_t> at_place_;  // [place of a vertex] its body
+  MovingMasses masses_;
+  std::vector<char> weighs_;       // [vertex of the model] whether it is of a tet
+  std::vector<char> held_, free_;  // [body]
+  double size_ = 0;                // of the tissue [m]
+};
+
+}  // namespace fascia
