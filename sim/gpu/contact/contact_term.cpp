@@ -250,7 +250,12 @@ void ContactTerm::move_bodies(SimBuffers& buffers, gl::Downloads& downloads) con
   const Eigen::VectorXd start =
       Eigen::Map<const Eigen::VectorXd>(started.data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
   const ContactEnergy energy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_, near);
-  if (motions_.move(energy, buffers.vectors_of(aim), length_, u)) buffers.upload_displacements(u, true);
+  if (!motions_.move(energy, buffers.vectors_of(aim), length_, u)) return;
+  for (std::size_t v = 0; v < u.size(); ++v) {
+    vec4& moved = at[buffers.placement.place[v]];
+    moved = row_of(u[v], moved.w);
+  }
+  buffers.displacement.upload(0, at.size() * sizeof(vec4), at.data());
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {
