@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "app/stress/stress.h"
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 #include "sim/simulation/simulation.h"
 
 namespace fascia {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {

@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "sim/contact/contact_block.h"
-#include "sim/contact/penetration.h"
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/penetration.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {

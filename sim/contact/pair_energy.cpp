@@ -115,8 +115,9 @@ void PairEnergy::append_to(std::vector<BodyContact>& contacts, const VectorXd& u
       places[row.weights[k] > 0 ? 0 : 1] +=
           std::abs(row.weights[k]) * (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
     }
-    contacts.push_back({row.bodies, places, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth, row.normal,
-                        contact.tangential, kStickingPenalty * row.stiffness, friction_ * before_[i].normal});
+    contacts.push_back({row.bodies, places, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth,
+                        row.normal, contact.tangential, kStickingPenalty * row.stiffness,
+                        friction_ * before_[i].normal});
   }
 }
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "sim/contact/pair_search.h"
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 #include "sim/surface/triangle_tree.h"
 
 namespace fascia {

@@ -25,10 +25,10 @@
 #include <utility>
 #include <vector>
 
-#include "sim/contact/box_tree.h"
 #include "sim/contact/pair_row.h"
-#include "sim/contact/penetration.h"
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/box_tree.h"
+#include "sim/contact/tissue/penetration.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/model/state.h"
 
 namespace fascia {

@@ -1,6 +1,6 @@
 #include "sim/output/stats.h"
 #include "sim/contact/pair_search.h"
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/interrupt.h"
-#include "sim/contact/tissue_cover.h"
+#include "sim/contact/tissue/tissue_cover.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/replay/input_log.h"

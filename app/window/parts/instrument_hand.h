@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/session/session.h"
-#include "sim/contact/tissue_cover.h"
+#include "sim/contact/tissue/tissue_cover.h"
 
 namespace fascia {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 
 namespace fascia {
 namespace {

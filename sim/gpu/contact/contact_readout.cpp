@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/gpu/contact/contact_term.h"
 
 namespace fascia {

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "sim/contact/tissue_cover.h"
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_cover.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/gpu/contact/piece_rows.h"
 #include "sim/tool/shape_distance.h"
 #include "sim/tool/solid_mesh.h"

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "sim/contact/tissue_cover.h"
+#include "sim/contact/tissue/tissue_cover.h"
 #include "sim/gpu/passes/reduction.h"
 #include "sim/tool/followed_place.h"
 #include "sim/tool/tool_near_box.h"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "sim/contact/pair_search.h"
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 #include "sim/reference/newton.h"
 #include "tests/sim/reference/box_model.h"
 #include "tests/support/touching_bodies.h"

@@ -1,10 +1,10 @@
-// Covers: tissue_surface
+// Covers: sim/contact/tissue/tissue_surface
 // Covers: pair_candidates, pair_guards
 #include "sim/contact/pair_search.h"
 
 #include <catch2/catch.hpp>
 
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 #include "tests/sim/reference/box_model.h"
 #include "tests/support/touching_bodies.h"
 

@@ -1,5 +1,5 @@
 // When vertices and edges go through each other, against motions whose moment is known.
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 
 #include <catch2/catch.hpp>
 #include <random>

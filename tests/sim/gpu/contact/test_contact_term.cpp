@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "gl/loader.h"
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/tool/solid_mesh.h"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "sim/surface/surface_fill.h"

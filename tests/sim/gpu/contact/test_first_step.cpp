@@ -1,4 +1,4 @@
-// Covers: sim/contact/first_state.cpp
+// Covers: sim/contact/first_state
 // What the forces with which a scene begins do in its first steps, on the GPU and in the reference.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

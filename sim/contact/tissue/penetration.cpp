@@ -1,10 +1,10 @@
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/surface/surface_repair.h"
 
 namespace fascia {

@@ -1,10 +1,10 @@
-#include "sim/contact/tissue_cover.h"
+#include "sim/contact/tissue/tissue_cover.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "sim/contact/tissue_surface.h"
+#include "sim/contact/tissue/tissue_surface.h"
 #include "sim/tool/followed_place.h"
 #include "sim/tool/shape_distance.h"
 

@@ -1,4 +1,4 @@
-#include "sim/contact/box_tree.h"
+#include "sim/contact/tissue/box_tree.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "sim/contact/penetration.h"
+#include "sim/contact/tissue/penetration.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Distances of tools from tissue: never more than the true ones, and less by the size of a ball at most.
-#include "sim/contact/tissue_cover.h"
+#include "sim/contact/tissue/tissue_cover.h"
 
 #include <catch2/catch.hpp>
 #include <random>
