@@ -70,6 +70,7 @@ class StanceChoice {
     if (const auto axis = best(kTruly)) return stands(*axis, kFeet) ? standing(*axis) : turned_over(*axis);
     if (stands(usual_, kHalfway)) return standing(usual_);
     if (const auto axis = best(kHalfway); axis && stands(*axis, kHalfway)) return standing(*axis);
+    if (const auto axis = widest()) return standing(*axis);
     return resting();
   }
 
@@ -98,6 +99,14 @@ class StanceChoice {
       largest = area;
       found = axis;
     }
+    return found;
+  }
+
+  /// The axis with the widest legs or rim on which the mesh stands, as a ring does that lies.
+  std::optional<std::size_t> widest() const {
+    std::optional<std::size_t> found;
+    for (const std::size_t axis : {std::size_t{1}, std::size_t{2}, std::size_t{0}})
+      if (stands_wide(axis) && (!found || sides_.low[axis].stability > sides_.low[*found].stability)) found = axis;
     return found;
   }
 

@@ -59,6 +59,20 @@ TEST_CASE("the usual axis wins where several sides are flat, and files have diff
   CHECK(plan_of(make_ball(100), "ball.msh").up == UpAxis::z);
 }
 
+TEST_CASE("a ring lies on its rim, whatever the ending of its file") {
+  TetMesh ring = make_box(40, 8, 8, {1, 2, 2});  // around y, and all but closed
+  deform(ring, [](const Eigen::Vector3d& p) {
+    const Eigen::Vector2d disc = 0.004 * round(Eigen::Vector2d(p.y() - 1, p.z() - 1));
+    const double angle = -6.2 * p.x(), r = 0.04 + disc.y();
+    return Eigen::Vector3d(r * std::cos(angle), disc.x(), r * std::sin(angle));
+  });
+  for (const int axis : {0, 1, 2})
+    for (const char* file : {"ring.obj", "ring.stl", "ring.msh"}) {
+      CAPTURE(axis, file);
+      CHECK(plan_of(turned(ring, axis), file).up == kUpAxes[static_cast<std::size_t>(axis)]);
+    }
+}
+
 TEST_CASE("a body that is flat at its top only hangs from it") {
   TetMesh tip_down = make_cone(0.05, 0.1);
   for (Eigen::Vector3d& p : tip_down.positions) p.y() = -p.y();
