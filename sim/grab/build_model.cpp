@@ -5,6 +5,7 @@
 #include "sim/contact/contact_surface.h"
 #include "sim/grab/resolve_grab.h"
 #include "sim/model/unconstrained_parts.h"
+#include "sim/tool/tool_size.h"
 
 namespace fascia {
 namespace {
@@ -19,8 +20,18 @@ std::string note_of_held(const Model& model, const BodyPart& body) {
   return body.name + ": every vertex is fixed: it does not move";
 }
 
+// [m] the largest side of all bodies together.
+double extent_of(const Model& model) {
+  Eigen::AlignedBox3d box;
+  for (const Tet& t : model.tets)
+    for (const std::uint32_t v : t) box.extend(model.rest_positions[v]);
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
 Model with_grabs(const Scene& scene, Model model) {
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.grabs.push_back(resolve_grab(scene, g, model));
+  for (const Tool& tool : model.tools)
+    if (std::string note = note_of_size(tool, extent_of(model)); !note.empty()) model.notes.push_back(std::move(note));
   if (model.has_contact())
     for (std::string& note : check_contact(model, scene.file.string())) model.notes.push_back(std::move(note));
   for (const BodyPart& body : model.bodies)

@@ -7,6 +7,7 @@
 #include "sim/reference/elasticity.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/simulation/scene_edits.h"
+#include "sim/tool/shape_distance.h"
 
 namespace fascia {
 namespace {
@@ -69,6 +70,7 @@ class Repetition {
     }
   }
   const GpuSolver& solver() const { return *solver_; }
+  std::vector<ToolPlace> tool_places() const { return led_.motion(model_.tools, solver_->time(), solver_->time()).to; }
 
  private:
   void pull() {
@@ -97,6 +99,25 @@ void measure_tet(const Model& model, const State& state, std::size_t t, double& 
   det_f = shape.deformation_gradient(u).determinant();
 }
 
+// The tool in which the tet is deepest, or which is within the length of its edges.
+std::string tool_at(const Model& model, const State& state, const std::vector<ToolPlace>& places, std::size_t tet) {
+  const auto rest = [&](std::size_t a) -> const Vector3d& { return model.rest_positions[model.tets[tet][a]]; };
+  double nearest = 0.5 * model.contact.thickness;
+  for (std::size_t a = 1; a < 4; ++a) nearest = std::max(nearest, (rest(a) - rest(0)).norm());
+  std::string name;
+  for (std::size_t t = 0; t < places.size(); ++t)
+    for (std::size_t piece = 0; piece < model.tools[t].piece_count(); ++piece)
+      for (const std::uint32_t v : model.tets[tet]) {
+        const RigidPose pose = model.tools[t].pose_of_piece(piece, places[t]);
+        const Vector3d local = pose.to_local(model.rest_positions[v] + state.displacement[v]);
+        const double distance = distance_to(model.tools[t].shape, local).distance;
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        name = model.tools[t].name;
+      }
+  return name;
+}
+
 }  // namespace
 
 std::string Divergence::text(const Model& model) const {
@@ -105,6 +126,7 @@ std::string Divergence::text(const Model& model) const {
   out.precision(3);
   out << "tet " << model.tet_source[tet] << " (vertices " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3]
       << ", strain " << strain << ", J " << det_f << ") diverged at " << time << " s";
+  if (!tool.empty()) out << " in contact with " << tool;
   return out.str();
 }
 
@@ -114,6 +136,7 @@ Divergence find_divergence(Simulation& simulation, std::uint32_t lost) {
   divergence.replay = replay_of(simulation, simulation.valid_state());
   gl::ProgramCache& programs = *simulation.programs();
   State before = *divergence.replay.start;
+  std::vector<ToolPlace> places;
   divergence.time = simulation.time();
   const auto repeat = [&](long steps) {
     Repetition repetition(programs, simulation, divergence.replay);
@@ -129,6 +152,7 @@ Divergence find_divergence(Simulation& simulation, std::uint32_t lost) {
       divergence.time = repetition.solver().time();
       divergence.replay.steps = step + 1;
       before = repeat(step);
+      places = repetition.tool_places();
     }
   }
   double largest = -1;
@@ -142,6 +166,7 @@ Divergence find_divergence(Simulation& simulation, std::uint32_t lost) {
     divergence.det_f = det_f;
     divergence.tet = static_cast<std::uint32_t>(t);
   }
+  divergence.tool = tool_at(simulation.model, before, places, divergence.tet);
   simulation.begin_anew();
   return divergence;
 }

@@ -14,8 +14,9 @@ struct Divergence {
   std::uint32_t tet = 0;  // in Model::tets: the most strained one around the diverged vertices, before that step
   double strain = 0;      // of it: Frobenius norm of the Green strain
   double det_f = 1;       // of it: J
+  std::string tool;       // that it touches, or is in; empty without one
 
-  /// "tet 12 (vertices 3 4 7 9, strain 3.1, J -0.4) diverged at 1.25 s".
+  /// "tet 12 (vertices 3 4 7 9, strain 3.1, J -0.4) diverged at 1.25 s in contact with probe".
   std::string text(const Model& model) const;
 };
 

@@ -73,6 +73,16 @@ TEST_CASE("run ends with one line, exit code 1 and a replay with the same end") 
   }
 }
 
+TEST_CASE("a divergence in contact names the tool") {
+  Box box;
+  box.scene.tools.obstacles.push_back({"rock", SphereShape{{0.1, 0.45, 0.1}, 0.25}, {0, 0, 0}, {0, 0, 0}, {}});
+  write_replay(box.folder / "broken.fascia", box.broken());
+  const CommandResult run = run_fascia({"run", "--replay", "broken.fascia", "--context", "osmesa"}, box.folder.path());
+  CAPTURE(run.err);
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.err, Catch::Contains(" s in contact with rock, repeated by "));
+}
+
 TEST_CASE("render ends in the same manner and writes no picture") {
   const Box box;
   write_replay(box.folder / "broken.fascia", box.broken());

@@ -52,6 +52,10 @@ TEST_CASE("a scene's tools may be meshes", "[contact]") {
   CHECK(model.files[3].key == "bodies[0].mesh");
   CHECK(model.files[0].key == "obstacles[0].shape.mesh.file");
 
+  Scene in_millimeters = scene;
+  std::get<MeshShape>(in_millimeters.tools.obstacles[0].shape).scale = 1;
+  CHECK_THAT(build_model(in_millimeters).notes.front(), Catch::StartsWith("rest: 10 m wide, "));
+
   const std::string text = scene_to_json(self_contained(scene, model.files), {});
   std::filesystem::remove(folder / "spoon.obj");
   write_file(folder / "moved.json", text);
