@@ -183,6 +183,11 @@ Scene read_scene(const Node& root) {
   claim_names(root, elements, scene.bodies, names);
   scene.tools = read_tools(root, names);
   name_the_rest(scene.bodies, names);
+  if (const auto contact = root.find("contact")) {
+    std::vector<std::string> body_names;
+    for (const Body& body : scene.bodies) body_names.push_back(body.name);
+    require_own_columns(*contact, body_names, scene.tools);
+  }
   const auto solver = root.find("solver");
   if (solver) {
     scene.solver = read_solver(*solver);

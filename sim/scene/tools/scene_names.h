@@ -2,8 +2,10 @@
 #pragma once
 #include <map>
 #include <string>
+#include <vector>
 
 #include "base/json/json_node.h"
+#include "sim/scene/tools/scene_tools.h"
 
 namespace fascia {
 
@@ -21,5 +23,9 @@ class SceneNames {
 
 /// A name as a part of a column of a history: without what ends a cell.
 std::string column_name(const std::string& name);
+
+/// Throws Error at `contact` if columns of a history belong to two: the force of a tool "a_b", and that of a body "b"
+/// on "a" where bodies touch. `bodies`: their names.
+void require_own_columns(const Node& contact, const std::vector<std::string>& bodies, const SceneTools& tools);
 
 }  // namespace fascia

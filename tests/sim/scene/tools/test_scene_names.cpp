@@ -50,3 +50,33 @@ TEST_CASE("bodies without a name get distinct ones, which no other body or tool 
   const SceneFile again(scene_to_json(scene, file.path().parent_path()), "again.json");
   CHECK(again.open().bodies == scene.bodies);
 }
+
+TEST_CASE("columns of two bodies in contact are those of no tool and no other two bodies") {
+  const auto bodies = [](const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names)
+      text += std::string(text.empty() ? "" : ", ") + "{\"name\": \"" + name + "\", \"mesh\": \"m.msh\"}";
+    return text;
+  };
+  const auto tool = [](const std::string& kind, const std::string& name) {
+    return ", \"" + kind + "\": [{\"name\": \"" + name + "\", " + kSphere + "}]";
+  };
+  const auto error = [](const std::string& text) { return SceneFile(text).open_error(); };
+  const std::string contact = "\"contact\": {}", apart = "\"contact\": {\"bodies\": false}",
+                    self = "\"contact\": {\"bodies\": false, \"self\": true}";
+  CHECK(error(scene_of(bodies({"a", "b"}), contact + tool("instruments", "a_b"))) ==
+        "s.json: contact: the bodies \"a\" and \"b\" would share the columns contact_a_b of histories with the "
+        "instrument "
+        "\"a_b\"; expected other names");
+  CHECK(
+      error(scene_of(bodies({"a"}), self + tool("obstacles", "a_a"))) ==
+      "s.json: contact: the body \"a\" with itself would share the columns contact_a_a of histories with the obstacle "
+      "\"a_a\"; expected other names");
+  CHECK(error(scene_of(bodies({"a", "a_b", "b_c", "c"}), contact)) ==
+        "s.json: contact: the bodies \"a_b\" and \"c\" would share the columns contact_a_b_c of histories with the "
+        "bodies "
+        "\"a\" and \"b_c\"; expected other names");
+  CHECK(SceneFile(scene_of(bodies({"a", "b"}), apart + tool("instruments", "a_b"))).open().bodies.size() == 2);
+  CHECK(SceneFile(scene_of(bodies({"b", "a"}), contact + tool("instruments", "a_b"))).open().bodies.size() == 2);
+  CHECK(SceneFile(scene_of(bodies({"a", "b", "a_b"}), contact)).open().bodies.size() == 3);
+}
