@@ -32,7 +32,7 @@ Model with_grabs(const Scene& scene, Model model) {
   for (std::size_t g = 0; g < scene.grabs.size(); ++g) model.grabs.push_back(resolve_grab(scene, g, model));
   for (const Tool& tool : model.tools)
     if (std::string note = note_of_size(tool, extent_of(model)); !note.empty()) model.notes.push_back(std::move(note));
-  if (model.has_contact())
+  if (model.has_contact() || model.contact.thickness > 0)
     for (std::string& note : check_contact(model, scene.file.string())) model.notes.push_back(std::move(note));
   for (const BodyPart& body : model.bodies)
     if (std::string note = note_of_held(model, body); !note.empty()) model.notes.push_back(std::move(note));

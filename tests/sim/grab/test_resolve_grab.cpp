@@ -1,5 +1,5 @@
 // The grabs of a scene: valid input, its meaning, and positions over time.
-// Covers: build_model, grab_patch, sim/scene/scene_read_grab
+// Covers: grab_patch, sim/scene/scene_read_grab
 #include <algorithm>
 #include <cmath>
 #include <set>
