@@ -9,6 +9,10 @@ namespace fascia {
 
 std::unique_ptr<Session> continued_session(Graphics& graphics, Session& old, Scene scene) {
   Model model = build_model(scene);
+  if (const Model& before = old.simulation.model; before.plan) {  // it is still the mesh on its own
+    model.plan = before.plan;
+    model.notes.insert(model.notes.begin(), before.notes.front());
+  }
   State state = with_elements(old.simulation.state(), old.simulation.model, model);
   for (const std::uint32_t v : model.fixed) {
     state.displacement[v].setZero();

@@ -1,5 +1,5 @@
 // Vertices that are fixed and released in an open scene.
-// Covers: deformed_positions, continued_session
+// Covers: deformed_positions
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>
