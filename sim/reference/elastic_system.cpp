@@ -170,7 +170,10 @@ void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool
   visit(u, viscous, true, project, kEvery,
         [&]<int n>(std::size_t t, const ElementVertices& element, const ElementDerivatives<n>& d) {
           Eigen::Matrix<double, 3 * n, 1> size;
-          for (int a = 0; a < n; ++a) size.template segment<3>(3 * a) = u.segment<3>(3 * element[a]).cwiseAbs();
+          const Vector3d& corner = model_.rest_positions[element[0]];
+          for (int a = 0; a < n; ++a)
+            size.template segment<3>(3 * a) =
+                u.segment<3>(3 * element[a]).cwiseAbs() + (model_.rest_positions[element[a]] - corner).cwiseAbs();
           const Eigen::Matrix<double, 3 * n, 1> tet_scale = d.hessian.cwiseAbs() * size;
           for (int a = 0; a < n; ++a) {
             scale.segment<3>(3 * element[a]) += tet_scale.template segment<3>(3 * a);

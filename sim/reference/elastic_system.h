@@ -35,7 +35,8 @@ class ElasticSystem {
   /// ones.
   double evaluate(const Eigen::VectorXd& u, const ViscousStep& viscous, Eigen::VectorXd& gradient) const;
   /// Upper triangle of the Hessian [N/m] over the unknowns into `hessian` (from empty_hessian()). `scale` [3 *
-  /// vertex_count] receives sum_e |H_e| |u|: times the machine epsilon it bounds the rounding of the gradient.
+  /// vertex_count] receives sum_e |H_e| (|u| + |X - X_0|): times the machine epsilon it bounds the rounding of the
+  /// gradient. X_0 is a corner of the tet: most laws form F, which rounds small strains to epsilon.
   void assemble(const Eigen::VectorXd& u, const ViscousStep& viscous, bool project, SparseMatrix& hessian,
                 Eigen::VectorXd& scale) const;
   /// Adds a block to the Hessian's rows of one vertex and columns of another, both of one tet, unless it lies below the

@@ -95,7 +95,8 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   StaticReport report{march.iterations, 0, march.relative_residual, march.converged};
   constexpr std::size_t kSoonFactored = 20'000;  // tets: factorized in about a second
   // A small residual may mean a large error in bodies that bend easily, and Newton's last iterations remove it.
-  const bool refines = march.converged && scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
+  const bool exactly = scene.solver.tolerance == 0 && model.tets.size() <= kSoonFactored;
+  const bool refines = march.converged && exactly;
   // Slender bodies of many tets, whose equilibria the march nears slowly, take Newton's method some iterations.
   const bool rescues = !march.converged && model.tets.size() <= reference::NewtonSolver::kMostTets &&
                        unconstrained_parts(model, model.held()).parts == 0;
@@ -103,11 +104,12 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   marched = march.iterations;
   State exact = *equilibrium_;
   reference::NewtonSolver solver(model, scene.solver, stop);
-  const reference::NewtonReport newton = by_newton(solver, exact, refines ? 0 : tolerance);
+  const reference::NewtonReport newton = by_newton(solver, exact, exactly ? 0 : tolerance);
   report.newton_iterations = newton.iterations;
   if (!newton.converged) return report;
   report.relative_residual = newton.relative_residual;
   report.converged = true;
+  if (exactly) report.tolerance = reference::NewtonSolver::kStaticTolerance;
   gpu_->upload(exact);
   equilibrium_ = std::move(exact);
   return report;

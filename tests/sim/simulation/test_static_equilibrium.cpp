@@ -2,10 +2,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/session/graphics.h"
 #include "base/error.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/simulation/simulation.h"
+#include "tests/support/headless.h"
 #include "tests/support/support.h"
 
 using namespace fascia;
@@ -90,6 +92,36 @@ TEST_CASE("a search without an equilibrium says what is missing", "[static]") {
   simulation.model.tools.clear();
   CHECK_THAT(error_of({0, 80, 0.5, false}),
              Catch::EndsWith("expected a constrained body and a load that it can carry"));
+}
+
+TEST_CASE("where the GPU nears an equilibrium slowly, Newton's method finishes it as exactly as elsewhere",
+          "[static]") {
+  const test::TemporaryFolder folder;
+  write_mesh(folder / "beam.msh", make_box(8, 2, 3, {0.12, 0.03, 0.045}));
+  Scene scene;
+  scene.file = "beam.json";
+  Body body;
+  body.mesh = (folder / "beam.msh").string();
+  body.elements = ElementOrder::quadratic;
+  body.material = {1e5, 0.499, 1060, 0.01, MaterialModel::neo_hookean};
+  body.fixed.push_back(BoxSelection{{-1, -1, -1}, {1e-4, 1, 1}});
+  scene.bodies.push_back(body);
+  Graphics graphics = open_graphics(test::headless(), false);
+  const auto report_of = [&](double young_modulus) {
+    scene.bodies[0].material.young_modulus = young_modulus;
+    return Simulation(scene, graphics.programs.get(), false).solve_static();
+  };
+  const StaticReport soft = report_of(1e5);
+  CAPTURE(describe(soft));
+  CHECK(soft.converged);
+  CHECK(soft.newton_iterations > 0);
+  CHECK(soft.relative_residual <= 1e-10);
+  // Rounding of its pressure is more than that, but Newton's method ends there.
+  const StaticReport stiff = report_of(1e8);
+  CAPTURE(describe(stiff));
+  CHECK(stiff.converged);
+  CHECK(stiff.newton_iterations < 20);
+  CHECK(stiff.relative_residual <= 1e-8);
 }
 
 TEST_CASE("a report says where rounding ended a search", "[static]") {
