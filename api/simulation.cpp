@@ -85,6 +85,7 @@ std::vector<BodyRange> Simulation::bodies() const {
 }
 
 int Simulation::step(int count, const std::stop_token& stop) {
+  if (count < 0) throw Error("step: count", "is " + std::to_string(count), "expected 0 or more");
   return impl_->call([&](fascia::Simulation& simulation) {
     int made = 0;
     for (; made < count && !stop.stop_requested(); ++made) simulation.step();

@@ -97,6 +97,7 @@ Context chosen(const std::optional<Context>& context, bool reference) {
 }
 
 void step(Simulation& simulation, int count) {
+  if (count <= 0) simulation.step(count);  // throws Error if it is negative
   for (int i = 0; i < count; ++i) {
     {
       const py::gil_scoped_release others;

@@ -92,8 +92,8 @@ FASCIA_INLINE namespace api {
     std::vector<BodyRange> bodies() const;
 
     // Time.
-    /// Makes `count` steps of Settings::time_step. Returns the number of steps made. It is smaller than `count` if
-    /// `stop` was requested; this is not an error.
+    /// Makes `count` steps of Settings::time_step, none if it is 0. Returns the number of steps made. It is smaller
+    /// than `count` if `stop` was requested; this is not an error. Throws Error if `count` is negative.
     int step(int count = 1, const std::stop_token& stop = {});
     /// Returns the simulated time [s].
     double time() const;

@@ -18,6 +18,8 @@ TEST_CASE("Steps are counted, stop on request, and reset returns to the start") 
   std::stop_source stop;
   stop.request_stop();
   CHECK(simulation.step(3, stop.get_token()) == 0);
+  CHECK(simulation.step(0) == 0);
+  CHECK(error_of([&] { simulation.step(-1); }) == "step: count: is -1; expected 0 or more");
   CHECK(simulation.time() == Approx(3.0 / 60));
   simulation.reset();
   CHECK(simulation.time() == 0);

@@ -136,6 +136,10 @@ class Simulating(unittest.TestCase):
         s.step(60)
         self.assertAlmostEqual(s.positions[0, 1], -9.81 / 3600 * 60 * 61 / 2, places=4)  # implicit Euler
         self.assertAlmostEqual(s.time, 1, places=6)
+        s.step(0)
+        with self.assertRaisesRegex(fascia.Error, "step: count: is -1"):
+            s.step(-1)
+        self.assertAlmostEqual(s.time, 1, places=6)
 
     def test_grab(self):
         s = simulation(gravity=(0, 0, 0))
