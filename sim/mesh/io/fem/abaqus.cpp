@@ -3,6 +3,7 @@
 // Every *INSTANCE places a part: a file of several is read once for each of them, without the parts and sets of the
 // others, and the results are merged. Files that *INCLUDE or INPUT= names are read in their place.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <numbers>
@@ -42,6 +43,7 @@ class AbaqusReader {
     name_regions();
     if (own_nodes_)
       file_.notes.push_back("Nodes of the assembly, which belong to no part, and sets of them are left out.");
+    note_joints();
     note_cut_off(*in_, file_);
     place();
     mesh_.build();
@@ -102,6 +104,15 @@ class AbaqusReader {
     if (keyword.name == "PART") return begin_part(keyword);
     if (keyword.name == "INSTANCE") return begin_instance(keyword);
     if (keyword.name == "END INSTANCE") return end_instance();
+    constexpr std::array kJoints = {"TIE", "MPC", "EQUATION", "COUPLING", "EMBEDDED ELEMENT"};
+    if (std::find(kJoints.begin(), kJoints.end(), keyword.name) != kJoints.end()) joints_.insert("*" + keyword.name);
+  }
+
+  void note_joints() {
+    std::string text;
+    for (const std::string& name : joints_) text += (text.empty() ? "" : ", ") + name;
+    if (!text.empty())
+      file_.notes.push_back("Constraints are left out, so that what they join moves apart: " + text + ".");
   }
 
   void begin_assembly(bool begins) {
@@ -318,6 +329,7 @@ class AbaqusReader {
   std::vector<std::string> sections_, blocks_;  // names of element sets: of solid sections, of *ELEMENT
   Eigen::Affine3d placement_ = Eigen::Affine3d::Identity();
   std::set<std::string> of_part_;                 // names of sets, in upper case
+  std::set<std::string> joints_;                  // keywords that join what the mesh does not
   bool in_assembly_ = false, own_nodes_ = false;  // nodes of the assembly itself
   bool in_instance_ = false, is_independent_ = false, found_part_ = false, several_ = false;
   const AbaqusInstance* instance_ = nullptr;  // null: the file has no more than one part and one instance

@@ -49,7 +49,8 @@ class FebioReader {
       if (list.name == "ElementSet") read_set(list, FemMesh::Of::elements);
       if (list.name == "Surface") read_surface(list);
       if (list.name == "Part" || list.name == "Instance")
-        fail_at(in_, list, "is a part that instances place", "expected nodes and elements: FEBio Studio saves those");
+        fail_at(in_, list, "parts and their instances are not read",
+                "expected nodes and elements in " + geometry->name + " itself, as FEBio Studio saves them");
     }
     for (const auto& [set, of] : joined_) read_references(*set, of);
     mesh_.finish(in_.where());

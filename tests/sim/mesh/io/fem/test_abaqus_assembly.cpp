@@ -126,3 +126,14 @@ TEST_CASE("Abaqus assemblies: bad files") {
   for (int i = 0; i <= 1000; ++i) many += "*Instance, name=B" + std::to_string(i) + ", part=Bone\n*End Instance\n";
   CHECK(error_of("a.inp", many).find("is one instance too many; expected at most 1000") != std::string::npos);
 }
+
+TEST_CASE("Abaqus: constraints that join parts are left out with one note") {
+  const std::string tie = "*Tie, name=glue\nbelow, above\n*Tie, name=glue-2\nleft, right\n", mpc = "*MPC\nBEAM, 1, 2\n",
+                    note = "Constraints are left out, so that what they join moves apart: ";
+  CHECK(read(bone + muscle + replaced(instances, "*End Assembly", tie + "*End Assembly")).notes ==
+        std::vector<std::string>{"Nodes of the assembly, which belong to no part, and sets of them are left out.",
+                                 note + "*TIE."});
+  const std::string one = "*Node\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*Element, type=C3D4\n7,1,2,3,4\n";
+  CHECK(read(one + tie + mpc).notes == std::vector<std::string>{note + "*MPC, *TIE."});
+  CHECK(read(one).notes.empty());
+}

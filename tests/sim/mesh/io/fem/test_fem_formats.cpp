@@ -222,7 +222,8 @@ TEST_CASE("FEBio: bad files") {
   CHECK(feb_error("1,2,\n3", "1,2,<!-- c -->3") ==
         "a.feb:17: NodeSet: has a comment in its text; expected numbers alone");
   CHECK(feb_error("<NodeSet name=\"tip\">", "<Part name=\"p\"></Part><NodeSet name=\"tip\">") ==
-        "a.feb:19: Part: is a part that instances place; expected nodes and elements: FEBio Studio saves those");
+        "a.feb:19: Part: parts and their instances are not read; expected nodes and elements in Mesh itself, as FEBio "
+        "Studio saves them");
   CHECK(feb_error("<Mesh>", "<Mesh from=\"other.feb\">") ==
         "a.feb:4: Mesh: is in another file, 'other.feb'; expected it in this one");
   CHECK(error_of("a.feb", "<febio_spec version=\"4.0\"></febio_spec>") ==
