@@ -16,7 +16,7 @@ constexpr struct {
 } kPrefixes[] = {{'p', -12}, {'n', -9}, {'u', -6}, {'m', -3}, {'k', 3}, {'M', 6}, {'G', 9}, {'T', 12}};
 
 bool takes_prefix(const std::string& unit) {
-  for (const char* name : {"Pa", "N", "J", "m", "m/s", "s", "V"})
+  for (const char* name : {"Pa", "N", "Nm", "J", "m", "m/s", "s", "V"})
     if (unit == name) return true;
   return false;
 }

@@ -45,7 +45,7 @@ const std::array<Quantity, 13>& quantities() {
         "Regions of the mesh, in colors that color-blind people tell apart. Costs nothing in a step"},
        {"strain", "Green strain, Frobenius norm", "",
         "Green strain of the tets, averaged at vertices [-]. One pass over the tets a frame"},
-       {"von_mises", "von Mises stress", "Pa",
+       {"von_mises", "Von Mises stress", "Pa",
         "Of the Cauchy stress, averaged at vertices [Pa]. One pass over the tets a frame"},
        {"displacement", "Displacement", "m", "Distance from the place at rest [m]. Costs next to nothing"},
        {"velocity", "Velocity", "m/s", "Speed of the vertices [m/s]. Costs next to nothing"},
@@ -56,14 +56,14 @@ const std::array<Quantity, 13>& quantities() {
         "Of the Cauchy stress [Pa]: positive where the tissue is pulled. One pass over the tets a frame", 0.0},
        {"smallest_stress", "Smallest principal stress", "Pa",
         "Of the Cauchy stress [Pa]: negative where the tissue is pressed. One pass over the tets a frame", 0.0},
-       {"error", "distance to the exact step", "m",
+       {"error", "Distance to the exact step", "m",
         "Distance of the last substep to the exact one [m], solved on another thread"},
        {"contact_pressure", "Contact pressure", "Pa",
         "Of ground, obstacles, instruments and other tissue, over the area at rest [Pa]. Costs next to nothing"},
-       {"mesh_error", "estimated error of the mesh", "",
+       {"mesh_error", "Estimated error of the mesh", "",
         "Error of the stresses in the energy norm over the body's mean [-]: where a finer mesh helps. Estimated on "
         "another thread"},
-       {"recovered_von_mises", "von Mises stress, recovered", "Pa",
+       {"recovered_von_mises", "Von Mises stress, recovered", "Pa",
         "Of the Cauchy stress, recovered at vertices from the tets around [Pa]: nearer to the stress of a finer mesh. "
         "Computed on another thread"}}};
   return table;

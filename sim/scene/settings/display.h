@@ -29,13 +29,13 @@ enum class ColorBy {
 
 struct Quantity {
   const char* name;                    // in scene files: "von_mises"
-  const char* title;                   // "von Mises stress"
+  const char* title;                   // "Von Mises stress"
   const char* unit;                    // "Pa"; "" for none
   const char* help;                    // what it shows and what it costs
   std::optional<double> neutral = {};  // for quantities of both signs: middle of the color map
 };
 const Quantity& quantity_of(ColorBy color);
-std::string label_of(ColorBy color);  // "von Mises stress [Pa]"
+std::string label_of(ColorBy color);  // "Von Mises stress [Pa]"
 /// Whether a color map shows a number per vertex.
 inline bool is_heat_map(ColorBy color) { return color != ColorBy::none && color != ColorBy::region; }
 

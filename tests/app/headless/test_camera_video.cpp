@@ -140,5 +140,5 @@ TEST_CASE("a legend file belongs to a picture with colors", "[camera_video]") {
   CHECK(!std::filesystem::exists(folder / "bar.svg"));
   CHECK(render({"--steps", "2", "--color", "von_mises", "--out", folder / "p.png", "--legend-out", folder / "bar.svg"})
             .exit_code == 0);
-  CHECK_THAT(read_file(folder / "bar.svg"), Contains("von Mises stress"));
+  CHECK_THAT(read_file(folder / "bar.svg"), Contains("Von Mises stress"));
 }

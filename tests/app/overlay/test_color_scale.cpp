@@ -9,7 +9,7 @@ TEST_CASE("a color scale has ticks at both ends of a round range, in the quantit
   Look look;
   look.range = {0, 2000};
   const ColorScale scale = color_scale(look, quantity_of(ColorBy::von_mises), {false, true});
-  CHECK(scale.title == "von Mises stress");
+  CHECK(scale.title == "Von Mises stress");
   REQUIRE(scale.ticks.size() == 5);
   for (std::size_t i = 0; i < 5; ++i) CHECK(scale.ticks[i].share == Approx(0.25 * static_cast<double>(i)));
   CHECK(scale.ticks[0].text == "0 Pa");

@@ -12,6 +12,7 @@ TEST_CASE("numbers are shown with SI prefixes if their unit permits") {
   CHECK(engineering(1.0 / 60, "s") == "16.7 ms");
   CHECK(engineering(-3.21, "N") == "-3.21 N");
   CHECK(engineering(2.5e-7, "J") == "250 nJ");
+  CHECK(engineering(0.000214, "Nm") == "214 \xc2\xb5Nm");
   CHECK(engineering(1.5e-5, "m/s") == "15 \xc2\xb5m/s");
   CHECK(engineering(0, "N") == "0 N");
   CHECK(engineering(1060, "kg/m^3") == "1060 kg/m^3");

@@ -46,10 +46,14 @@ TEST_CASE("names are those of their values") {
 }
 
 TEST_CASE("labels have the unit, or a dash for none") {
-  CHECK(label_of(ColorBy::von_mises) == "von Mises stress [Pa]");
+  CHECK(label_of(ColorBy::von_mises) == "Von Mises stress [Pa]");
   CHECK(label_of(ColorBy::displacement) == "Displacement [m]");
   CHECK(label_of(ColorBy::velocity) == "Velocity [m/s]");
   CHECK(label_of(ColorBy::volume_ratio) == "Volume ratio J [-]");
+  for (const ColorBy color : all_colors()) {
+    const std::string title = quantity_of(color).title;
+    CHECK((title[0] >= 'A' && title[0] <= 'Z'));
+  }
 }
 
 TEST_CASE("signed quantities have the map whose middle is their neutral value") {
