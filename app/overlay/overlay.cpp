@@ -104,7 +104,7 @@ void Overlay::draw_onto(const Framebuffer& framebuffer, bool panels) {
 }
 
 std::vector<Box> Overlay::covered() const {
-  std::vector<Box> boxes = ui::background_pills();
+  std::vector<Box> boxes = ui::kept_clear();
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
     if (window->Active && !window->Hidden && !window->IsFallbackWindow &&
         !(window->Flags & ImGuiWindowFlags_ChildWindow)) {

@@ -44,7 +44,7 @@ class Overlay {
   /// Draws the same frame over a picture of another size, as large as fits; without `panels` only the layer behind
   /// them.
   void draw_onto(const Framebuffer& framebuffer, bool panels);
-  /// The areas that windows and pills of the frame cover [pixels of the frame].
+  /// The areas that windows, pills and other texts of the frame cover [pixels of the frame].
   std::vector<Box> covered() const;
   float scale_onto(const Framebuffer& framebuffer) const;  // scale of that frame on it
   /// Draws the output of `paint`, in units of `scale` pixels, over the picture. Call after the first begin().

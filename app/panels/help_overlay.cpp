@@ -184,7 +184,9 @@ void draw_recording_dot(double seconds, long dropped) {
   const ImVec2 at{ImGui::GetIO().DisplaySize.x - ui::px(24), ui::px(26)};
   list.AddCircleFilled(at, ui::px(8), ImGui::GetColorU32(ui::kDanger));
   const float width = ImGui::CalcTextSize(text).x;
-  list.AddText({at.x - ui::px(16) - width, at.y - ImGui::GetFontSize() / 2}, ImGui::GetColorU32(ui::kDanger), text);
+  const float left = at.x - ui::px(16) - width, half = ImGui::GetFontSize() / 2;
+  list.AddText({left, at.y - half}, ImGui::GetColorU32(ui::kDanger), text);
+  ui::keep_clear({left, at.y - half, at.x + ui::px(8), at.y + half});
 }
 
 bool draw_message(const std::string& text, bool is_error) {

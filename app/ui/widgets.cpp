@@ -122,12 +122,12 @@ double finely_dragged(const NumberField& field, double value, float points) {
 
 ImVec2 pill_pad() { return {px(10), px(5)}; }
 
-std::vector<Box>& pills_of_frame() {
-  static std::vector<Box> pills;
+std::vector<Box>& boxes_of_frame() {
+  static std::vector<Box> boxes;
   static int frame = -1;
-  if (frame != ImGui::GetFrameCount()) pills.clear();
+  if (frame != ImGui::GetFrameCount()) boxes.clear();
   frame = ImGui::GetFrameCount();
-  return pills;
+  return boxes;
 }
 
 // Help is also that of command lines, where it begins with a small letter. The name of a key keeps its letters.
@@ -256,10 +256,11 @@ Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVe
 }
 
 void pill(const std::string& text, float x, float y, const ImVec4& color) {
-  pills_of_frame().push_back(pill(*ImGui::GetBackgroundDrawList(), text, x, y, color));
+  keep_clear(pill(*ImGui::GetBackgroundDrawList(), text, x, y, color));
 }
 
-const std::vector<Box>& background_pills() { return pills_of_frame(); }
+void keep_clear(const Box& box) { boxes_of_frame().push_back(box); }
+const std::vector<Box>& kept_clear() { return boxes_of_frame(); }
 
 void plot(const char* id, const RecentValues& history, float height) {
   const auto value_at = [](void* data, int i) { return static_cast<const RecentValues*>(data)->at(i); };

@@ -73,7 +73,9 @@ bool choice(const char* name, const std::vector<Choice>& choices, Choice& chosen
 Box pill(ImDrawList& list, const std::string& text, float x, float y, const ImVec4& color, float widest = 0);
 void pill(const std::string& text, float x, float y, const ImVec4& color);
 Box pill_box(const std::string& text, float x, float y, float widest = 0);  // box of such a pill
-const std::vector<Box>& background_pills();                                 // of this frame
+/// What labels in this frame's picture keep clear of, apart from windows: pills in the background, and other texts.
+void keep_clear(const Box& box);
+const std::vector<Box>& kept_clear();
 
 /// A line of the last values, from 0 to slightly above the largest, `height` points high.
 void plot(const char* id, const RecentValues& history, float height);

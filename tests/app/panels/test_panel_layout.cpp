@@ -144,6 +144,18 @@ TEST_CASE("labels over the picture are beside docked plots", "[panel_layout]") {
   desk.frame(1280, 720, [&] { CHECK(room_beside_panels(desk.state).right == 1280); });
 }
 
+TEST_CASE("labels in the picture keep clear of the time of a recording", "[panel_layout]") {
+  LayoutDesk desk;
+  desk.frame(1280, 720, [&] {
+    draw_recording_dot(12.5, 3);
+    REQUIRE(ui::kept_clear().size() == 1);
+    const Box box = ui::kept_clear().front();
+    CHECK(box.right == 1264);
+    CHECK(box.left == 1240 - ImGui::CalcTextSize("12.5 s, repeated frames: 3").x);
+    CHECK(box.bottom - box.top == ImGui::GetFontSize());
+  });
+}
+
 TEST_CASE("the notice of a slow window says while kernels compile, where there is room", "[panel_layout]") {
   LayoutDesk desk;
   desk.state.statistics.keeps_pace = false;
