@@ -37,7 +37,7 @@ set(arrows
   "sim/mesh/io/vtk: base sim/mesh sim/mesh/io"
   "sim/model: base base/csv sim/elements sim/material sim/mesh sim/mesh/io sim/scene sim/scene/settings sim/surface sim/tool"
   "sim/ordering: sim/mesh sim/model"
-  "sim/output: base sim/accuracy sim/contact sim/contact/tissue sim/fit/measured sim/mesh sim/mesh/io sim/mesh/io/fem sim/mesh/io/vtk sim/model sim/scene sim/scene/tools sim/simulation sim/visual"
+  "sim/output: base base/json sim/accuracy sim/contact sim/contact/tissue sim/fit/measured sim/mesh sim/mesh/io sim/mesh/io/fem sim/mesh/io/vtk sim/model sim/scene sim/scene/tools sim/simulation sim/visual"
   "sim/integrators:"
   "sim/reference: base sim/contact sim/elements sim/integrators sim/material sim/model sim/ordering sim/scene/settings sim/tool"
   "sim/reference/tangent: sim/integrators sim/model sim/reference"

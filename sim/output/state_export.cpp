@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/json/json_document.h"
 #include "base/number_text.h"
 #include "sim/mesh/io/formats.h"
 #include "sim/mesh/io/vtk/vtu_write.h"
@@ -101,7 +102,7 @@ std::string tools_obj(const std::vector<ToolSurface>& tools) {
   NumberText out;
   std::uint32_t first = 1;
   for (const ToolSurface& tool : tools) {
-    out.add("o ").add(tool.name).add('\n');
+    out.add("o ").add(on_one_line(tool.name)).add('\n');
     for (const Eigen::Vector3d& x : tool.positions) add_vertex(x, out);
     for (const Triangle& t : tool.triangles) add_face({first + t[0], first + t[1], first + t[2]}, out);
     first += static_cast<std::uint32_t>(tool.positions.size());

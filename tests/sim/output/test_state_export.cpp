@@ -259,7 +259,7 @@ TEST_CASE("a state in contact has forces and gaps at its vertices, and its tools
     fields.contact_gap.push_back(v == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e-3 * v);
   }
   fields.tools = {{"ground", {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 1, 2}}},
-                  {"probe", {{0, 1, 0}, {1, 1, 0}, {0, 1, -0.1}}, {{0, 1, 2}}}};
+                  {"probe\nof two lines", {{0, 1, 0}, {1, 1, 0}, {0, 1, -0.1}}, {{0, 1, 2}}}};
   write_state(folder / "state.vtu", mesh, fields, {{"Software", "fascia"}});
   auto points = arrays(folder / "state.vtu", "PointData");
   CHECK(points["contact_force"].components == 3);
@@ -270,7 +270,7 @@ TEST_CASE("a state in contact has forces and gaps at its vertices, and its tools
   CHECK(read_file(folder / "state_tools.obj") ==
         "# fascia: {\"Software\":\"fascia\"}\n"
         "o ground\nv 0 0 0\nv 1 0 0\nv 0 0 -1\nf 1 2 3\n"
-        "o probe\nv 0 1 0\nv 1 1 0\nv 0 1 -0.1\nf 4 5 6\n");
+        "o \"probe\\nof two lines\"\nv 0 1 0\nv 1 1 0\nv 0 1 -0.1\nf 4 5 6\n");
   write_state(folder / "other.csv", mesh, fields);
   CHECK_FALSE(std::filesystem::exists(folder / "other_tools.obj"));
 }
