@@ -23,17 +23,24 @@ double distance(const Displacements& a, const Displacements& b) {
   return std::sqrt(squared);
 }
 
+double norm(const std::vector<Displacements>& motion) {
+  double whole = 0;
+  for (const Displacements& u : motion) whole = std::hypot(whole, norm(u));
+  return whole;
+}
+
+double distance(const std::vector<Displacements>& a, const std::vector<Displacements>& b) {
+  double whole = 0;
+  for (std::size_t m = 0; m < a.size(); ++m) whole = std::hypot(whole, distance(a[m], b[m]));
+  return whole;
+}
+
 double over(double error, double whole) { return error == 0 ? 0 : error / whole; }
 
 }  // namespace
 
 void TimeExtrapolation::add(Trajectory motion) {
-  if (!motions_.empty()) {
-    double change = 0;
-    for (std::size_t m = 0; m < motion.displacement.size(); ++m)
-      change = std::hypot(change, distance(motion.displacement[m], motions_.back().displacement[m]));
-    changes_.push_back(change);
-  }
+  if (!motions_.empty()) changes_.push_back(distance(motion.displacement, motions_.back().displacement));
   motions_.push_back(std::move(motion));
 }
 
@@ -43,9 +50,7 @@ double TimeExtrapolation::ratio() const {
 }
 
 bool TimeExtrapolation::falls() const {
-  double whole = 0;
-  for (const Displacements& u : motions_.back().displacement) whole = std::hypot(whole, norm(u));
-  return changes_.back() <= kRounding * whole || ratio() <= std::pow(2, -kLeastOrder);
+  return changes_.back() <= kRounding * norm(motions_.back().displacement) || ratio() <= std::pow(2, -kLeastOrder);
 }
 
 bool TimeExtrapolation::wants_more() const {
@@ -57,34 +62,37 @@ TimeError TimeExtrapolation::error() const {
   const std::size_t n = motions_.size();
   const Trajectory &coarse = motions_[0], &a = motions_[n - 3], &b = motions_[n - 2], &c = motions_[n - 1];
   TimeError error;
-  error.resolved = falls();
   error.order = std::clamp(-std::log2(ratio()), 0.0, static_cast<double>(order_));
   const double r = std::clamp(ratio(), std::pow(2, -order_), std::pow(2, -kLeastOrder));
   const double gain = r / (1 - r);
-  const double forward = error.resolved ? gain : 0;  // from the finest motion to the best one known: u* or itself
-  const auto estimate = [&](double to_best, double earlier_change, double last_change) {
-    return error.resolved ? to_best : std::max(to_best, earlier_change) + gain * last_change;
+  const double forward = falls() ? gain : 0;  // from the finest motion to the best one known: u* or itself
+  std::vector<Displacements> best = c.displacement;
+  for (std::size_t m = 0; m < best.size(); ++m)
+    for (std::size_t v = 0; v < best[m].size(); ++v) best[m][v] += forward * (best[m][v] - b.displacement[m][v]);
+  const bool doubted =
+      witness_ && distance(witness_->displacement, best) >
+                      std::max(kFarthest * distance(coarse.displacement, best), kRounding * norm(best));
+  error.resolved = falls() && !doubted;
+  if (doubted) error.order = 0;
+  const auto estimate = [&](double to_best, double earlier_change, double last_change, double to_witness) {
+    return std::max(falls() ? to_best : std::max(to_best, earlier_change) + gain * last_change, to_witness);
   };
-  double squares = 0, whole = 0, end = 0, size_at_end = 0;
-  for (std::size_t m = 0; m < c.displacement.size(); ++m) {
-    Displacements best = c.displacement[m];
-    for (std::size_t v = 0; v < best.size(); ++v) best[v] += forward * (best[v] - b.displacement[m][v]);
-    const double here = estimate(distance(coarse.displacement[m], best), distance(a.displacement[m], b.displacement[m]),
-                                 distance(b.displacement[m], c.displacement[m]));
-    const double size = norm(best);
-    squares += here * here;
-    whole += size * size;
-    end = here;
-    size_at_end = size;
+  double squares = 0, end = 0;
+  for (std::size_t m = 0; m < best.size(); ++m) {
+    end = estimate(distance(coarse.displacement[m], best[m]), distance(a.displacement[m], b.displacement[m]),
+                   distance(b.displacement[m], c.displacement[m]),
+                   doubted ? distance(coarse.displacement[m], witness_->displacement[m]) : 0);
+    squares += end * end;
   }
   // Runs whose long steps damped all vibrations agree at the end on what the motion does not do.
-  if (!error.resolved) end = std::max(end, std::sqrt(squares / static_cast<double>(c.displacement.size())));
-  error.relative = over(end, size_at_end);
-  error.over_run = over(std::sqrt(squares), std::sqrt(whole));
-  const double best = c.peak_stress + forward * (c.peak_stress - b.peak_stress);
-  error.peak_stress = over(estimate(std::abs(coarse.peak_stress - best), std::abs(a.peak_stress - b.peak_stress),
-                                    std::abs(b.peak_stress - c.peak_stress)),
-                           std::abs(best));
+  if (!error.resolved) end = std::max(end, std::sqrt(squares / static_cast<double>(best.size())));
+  error.relative = over(end, best.empty() ? 0 : norm(best.back()));
+  error.over_run = over(std::sqrt(squares), norm(best));
+  const double peak = c.peak_stress + forward * (c.peak_stress - b.peak_stress);
+  error.peak_stress = over(estimate(std::abs(coarse.peak_stress - peak), std::abs(a.peak_stress - b.peak_stress),
+                                    std::abs(b.peak_stress - c.peak_stress),
+                                    doubted ? std::abs(coarse.peak_stress - witness_->peak_stress) : 0),
+                           std::abs(peak));
   return error;
 }
 

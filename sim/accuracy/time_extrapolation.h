@@ -4,8 +4,12 @@
 //
 //   r = |u_n - u_n-1| / |u_n-1 - u_n-2|            2^-p at least, with the integrator's order p
 //   u* = u_n + r / (1 - r) (u_n - u_n-1)           (Richardson 1911; Aitken 1926)
+//
+// Where all of these steps damp a vibration away, they agree on a motion without it. A witness, the same motion by an
+// integrator that hardly damps, is then far from u*.
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace fascia {
@@ -31,6 +35,7 @@ class TimeExtrapolation {
   /// Steps are halved until errors fall at this order, or kMostHalvings times. Impacts have orders of a half to one.
   static constexpr double kLeastOrder = 0.5;
   static constexpr int kFewestHalvings = 2, kMostHalvings = 3;
+  static constexpr double kFarthest = 2;
 
   explicit TimeExtrapolation(int order_of_integrator) : order_(order_of_integrator) {}
 
@@ -38,9 +43,11 @@ class TimeExtrapolation {
   void add(Trajectory motion);
   /// Whether another motion, with shorter steps, is wanted.
   bool wants_more() const;
+  void add_witness(Trajectory motion) { witness_ = std::move(motion); }
   /// From three motions or more. Where errors do not fall it is a bound, if they fall at kLeastOrder in shorter steps:
   /// the distance to the finest motion, or the change before the last where that is more, and what is left of that
-  /// motion; at the end no less than over the run.
+  /// motion; at the end no less than over the run. So is the distance to a witness that is farther from u* than
+  /// kFarthest times the estimate.
   TimeError error() const;
 
  private:
@@ -49,6 +56,7 @@ class TimeExtrapolation {
 
   int order_;
   std::vector<Trajectory> motions_;
+  std::optional<Trajectory> witness_;
   std::vector<double> changes_;  // between neighbors: RMS over all moments and vertices [m]
 };
 

@@ -78,21 +78,33 @@ TimeError TrueError::error_in_time(const Problem& problem, const std::stop_token
   TimeExtrapolation extrapolation(order_of(problem.settings.integrator));
   LedTools led;  // which stay where they are
   led.restart(problem.last->led);
-  for (int parts = 1; extrapolation.wants_more(); parts *= 2) {
+  const auto motion_of = [&](int parts, Integrator integrator) -> std::optional<Trajectory> {
     SolverSettings settings = problem.settings;
     settings.substeps *= parts;
+    settings.integrator = integrator;
     reference::NewtonSolver solver(problem.model, settings, stop);
     solver.set_springs(problem.springs);
     State state = *problem.last;
     Trajectory motion;
     for (int k = 0; k < kFollowedSteps; ++k) {
-      if (stop.stop_requested()) return {.complete = false};
+      if (stop.stop_requested()) return std::nullopt;
       if (!led.empty()) solver.set_tools(led.motion(problem.model.tools, state.time, state.time + settings.time_step));
       solver.step(state);
       motion.displacement.push_back(state.displacement);
     }
     motion.peak_stress = peak_of(nodal_stress(problem.model, state, stop), problem.model).p99;
-    extrapolation.add(std::move(motion));
+    return motion;
+  };
+  const Integrator own = problem.settings.integrator;
+  for (int parts = 1; extrapolation.wants_more(); parts *= 2) {
+    std::optional<Trajectory> motion = motion_of(parts, own);
+    if (!motion) return {.complete = false};
+    extrapolation.add(std::move(*motion));
+  }
+  if (damps(own)) {
+    std::optional<Trajectory> witness = motion_of(4, Integrator::sdirk2);
+    if (!witness) return {.complete = false};
+    extrapolation.add_witness(std::move(*witness));
   }
   return extrapolation.error();
 }

@@ -76,6 +76,20 @@ TEST_CASE("an error that hardly falls is a bound of the differences, after four 
   CHECK(error.peak_stress > changes / (1 + changes));
 }
 
+TEST_CASE("a witness far from the motion on which all steps agree makes the error a bound") {
+  const double away = GENERATE(0.15, 0.5);
+  CAPTURE(away);
+  TimeExtrapolation extrapolation(1);
+  for (const double h : {1.0, 0.5, 0.25}) extrapolation.add(motion_with(0.1 * h));
+  const double alone = extrapolation.error().relative;
+  extrapolation.add_witness(motion_with(away));
+  const TimeError error = extrapolation.error();
+  const bool doubted = away > TimeExtrapolation::kFarthest * 0.1;
+  CHECK(error.resolved == !doubted);
+  CHECK(error.relative == Approx(doubted ? (away - 0.1) / kDisplacement : alone));
+  CHECK(error.peak_stress == Approx(doubted ? away - 0.1 : 0.1));
+}
+
 TEST_CASE("a fourth motion decides where the first three hardly differ in their changes") {
   int motions = 0;
   // Changes 0.1, 0.1, 0.02: contact that short steps resolve.
