@@ -88,7 +88,10 @@ Finding compare_state(const Outcome& outcome, const fs::path& path, const Golden
 
 Finding compare_contact(const Outcome& outcome, const fs::path& path, const GoldenLimits& limits,
                         Comparison& comparison) {
-  comparison.contact = contact_deviation(outcome.contact, read_contact_golden(path));
+  const ContactForces golden = read_contact_golden(path);
+  comparison.contact = contact_deviation(outcome.contact, golden);
+  const std::string tools = differing_tools(outcome.contact, golden);
+  if (!tools.empty()) return {false, path.string() + ": the tools differ: " + tools};
   const bool passed = *comparison.contact <= limits.contact;
   return {passed, path.string() + ": " + (passed ? "same forces" : "the forces differ") + ", largest difference " +
                       against(*comparison.contact, limits.contact) + " of the largest force"};

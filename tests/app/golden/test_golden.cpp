@@ -157,6 +157,8 @@ TEST_CASE("forces of tools are compared where the golden has them", "[golden]") 
   CHECK(contains(compare(outcome, goldens, {}).findings.at(1).text, "the forces differ, largest difference 0.0011"));
   outcome.contact[0].first = "table";
   CHECK_FALSE(compare(outcome, goldens, {}).passed());
+  CHECK(contains(compare(outcome, goldens, {}).findings.at(1).text,
+                 "a.golden.contact.csv: the tools differ: golden ground, a, b; now table, a, b"));
   write_file(folder / "a.golden.contact.csv", "force_x_N,force_y_N,force_z_N,tool\n1,2,3\n");
   CHECK(contains(compare(outcome, goldens, {}).findings.at(1).text, "a.golden.contact.csv:2: is no row of a tool"));
 }
