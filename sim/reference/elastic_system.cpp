@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/material/law.h"
 #include "sim/reference/quadratic_elasticity.h"
 
 namespace fascia::reference {
@@ -150,14 +151,25 @@ void ElasticSystem::visit(const VectorXd& u, const ViscousStep& viscous, bool wi
   }
 }
 
-double ElasticSystem::evaluate(const VectorXd& u, const ViscousStep& viscous, VectorXd& gradient) const {
-  double energy = 0;
+Vector3d ElasticSystem::reach(std::size_t t, const ElementVertices& element, int a) const {
+  if (law_of(model_.materials[model_.tet_material[t]].model).is_st_venant_kirchhoff) return Vector3d::Zero();
+  return (model_.rest_positions[element[a]] - model_.rest_positions[element[0]]).cwiseAbs();
+}
+
+double ElasticSystem::evaluate(const VectorXd& u, const ViscousStep& viscous, VectorXd& gradient,
+                               double* rounded) const {
+  double energy = 0, work = 0;
   gradient.setZero(u.size());
   visit(u, viscous, false, false, kEvery,
-        [&]<int n>(std::size_t, const ElementVertices& element, const ElementDerivatives<n>& d) {
+        [&]<int n>(std::size_t t, const ElementVertices& element, const ElementDerivatives<n>& d) {
           energy += d.energy;
-          for (int a = 0; a < n; ++a) gradient.segment<3>(3 * element[a]) += d.gradient.template segment<3>(3 * a);
+          for (int a = 0; a < n; ++a) {
+            const Vector3d force = d.gradient.template segment<3>(3 * a);
+            gradient.segment<3>(3 * element[a]) += force;
+            work += force.cwiseAbs().dot(reach(t, element, a));
+          }
         });
+  if (rounded) *rounded = work;
   return energy;
 }
 
@@ -170,10 +182,8 @@ void ElasticSystem::assemble(const VectorXd& u, const ViscousStep& viscous, bool
   visit(u, viscous, true, project, kEvery,
         [&]<int n>(std::size_t t, const ElementVertices& element, const ElementDerivatives<n>& d) {
           Eigen::Matrix<double, 3 * n, 1> size;
-          const Vector3d& corner = model_.rest_positions[element[0]];
           for (int a = 0; a < n; ++a)
-            size.template segment<3>(3 * a) =
-                u.segment<3>(3 * element[a]).cwiseAbs() + (model_.rest_positions[element[a]] - corner).cwiseAbs();
+            size.template segment<3>(3 * a) = u.segment<3>(3 * element[a]).cwiseAbs() + reach(t, element, a);
           const Eigen::Matrix<double, 3 * n, 1> tet_scale = d.hessian.cwiseAbs() * size;
           for (int a = 0; a < n; ++a) {
             scale.segment<3>(3 * element[a]) += tet_scale.template segment<3>(3 * a);

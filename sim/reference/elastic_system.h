@@ -32,11 +32,13 @@ class ElasticSystem {
   void add_to_free(const Eigen::VectorXd& free, double factor, Eigen::VectorXd& all) const;
 
   /// Energy [J] at displacements `u` [3 * vertex_count], and its gradient [N] over all vertices, including constrained
-  /// ones.
-  double evaluate(const Eigen::VectorXd& u, const ViscousStep& viscous, Eigen::VectorXd& gradient) const;
+  /// ones. `rounded` receives what the energy's rounding has beside that of u, over the machine epsilon [J]: the work
+  /// of the tets' forces on reach().
+  double evaluate(const Eigen::VectorXd& u, const ViscousStep& viscous, Eigen::VectorXd& gradient,
+                  double* rounded = nullptr) const;
   /// Upper triangle of the Hessian [N/m] over the unknowns into `hessian` (from empty_hessian()). `scale` [3 *
-  /// vertex_count] receives sum_e |H_e| (|u| + |X - X_0|): times the machine epsilon it bounds the rounding of the
-  /// gradient. X_0 is a corner of the tet: most laws form F, which rounds small strains to epsilon.
+  /// vertex_count] receives sum_e |H_e| (|u| + reach()): times the machine epsilon it bounds the rounding of the
+  /// gradient.
   void assemble(const Eigen::VectorXd& u, const ViscousStep& viscous, bool project, SparseMatrix& hessian,
                 Eigen::VectorXd& scale) const;
   /// Adds a block to the Hessian's rows of one vertex and columns of another, both of one tet, unless it lies below the
@@ -55,6 +57,8 @@ class ElasticSystem {
   double min_det_f(const Eigen::VectorXd& u) const;                      // at the points
 
  private:
+  /// Displacement [m] whose rounding is that of the sum F = I + grad u, at vertex `a` of a tet; 0 for laws of strain.
+  Eigen::Vector3d reach(std::size_t t, const ElementVertices& element, int a) const;
   void make_pattern(const std::vector<std::vector<int>>& rows);  // ascending row blocks of every block column
   /// Calls f(number of the tet, its vertices, its derivatives) for every tet whose vertices `wanted` accepts.
   template <class Wanted, class F>

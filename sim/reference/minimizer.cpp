@@ -23,9 +23,10 @@ Minimizer::Minimizer(const ElasticSystem& system)
 Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd& u) const {
   Value value;
   VectorXd internal;
-  value.energy = system_.evaluate(u, potential.viscous, internal);
+  double rounded = 0;
+  value.energy = system_.evaluate(u, potential.viscous, internal, &rounded);
   // A body that has moved as a whole has displacements with larger roundings than its energy.
-  value.magnitude = std::abs(value.energy) + internal.cwiseAbs().dot(u.cwiseAbs());
+  value.magnitude = std::abs(value.energy) + internal.cwiseAbs().dot(u.cwiseAbs()) + rounded;
   VectorXd applied = VectorXd::Zero(u.size()), motion = VectorXd::Zero(u.size()), gradient = internal;
   for (std::size_t v = 0; v < system_.first_dof().size(); ++v) {
     if (system_.first_dof()[v] < 0) continue;
