@@ -111,7 +111,8 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   passes.first_iteration = iteration(r, true);
   passes.iteration = iteration(r, false);
   passes.completion = method_->complete_iteration(r);
-  Passes& last = contact_.searches() || contact_.may_move_bodies() ? passes.check : passes.end;
+  const bool looks = contact_.searches() || (contact && contact_.may_move_bodies());
+  Passes& last = looks ? passes.check : passes.end;
   last = method_->end(r);
   if (stop_) {
     stop_->record(r, passes.before_first, passes.before,
