@@ -1,7 +1,7 @@
 // Parts of the mesh that nothing holds or touches: the end of a stage moves each as a whole to where its momentum is
 // that of its prediction. Inner forces do not change that of the exact step, but that of unfinished iterations: a
 // vibrating cube gained or lost 1e-6 to 1e-5 of its momentum in a step of ten iterations. In contact between bodies
-// sim/gpu/contact/body_translations.h does the same with the forces of contact.
+// and with tools sim/gpu/contact/body_motions.h does the same with the forces of contact, and along turns.
 #pragma once
 #include "sim/gpu/passes/recording.h"
 #include "sim/model/unconstrained_parts.h"
