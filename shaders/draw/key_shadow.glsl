@@ -1,4 +1,4 @@
-// The share of the key light that reaches a point on tissue.
+// The share of the key light that reaches a point on tissue. The shadow map is 1 where nothing is in the light's way.
 #if SHADOW && CONTACT_SHADOW
 // Percentage-closer soft shadows (Fernando 2005): the mean depth of what is in the light's way gives the width of the
 // shadow's edge. Taps are compared with the plane of the surface instead of its depth (Isidoro 2006), so that a wide
@@ -22,7 +22,7 @@ float key_visibility(vec3 n) {
   for (int i = 0; i < kSearch; ++i) {
     vec2 offset = kWidest * disc(i, kSearch);
     vec4 depth = textureGather(shadow_map, shadow_position.xy + offset);
-    float limit = z + dot(slope, offset) - 0.002;
+    float limit = min(z + dot(slope, offset), 1.0) - 0.002;
     vec4 blocks = step(depth, vec4(limit));
     count += dot(blocks, vec4(1.0));
     sum += dot(blocks, limit - depth);
@@ -31,7 +31,7 @@ float key_visibility(vec3 n) {
   float radius = clamp(PENUMBRA * sum / count, kNarrowest, kWidest), lit = 0.0;
   for (int i = 0; i < kTaps; ++i) {
     vec2 offset = radius * disc(i, kTaps), at = shadow_position.xy + offset;
-    vec4 open = step(vec4(z + dot(slope, offset)), textureGather(shadow_map, at));
+    vec4 open = step(vec4(min(z + dot(slope, offset), 1.0)), textureGather(shadow_map, at));
     vec2 share = fract(at * SHADOW_SIZE - 0.5);
     vec2 low = mix(open.wx, open.zy, share.x);  // gathered from the lower row, from the upper one
     lit += mix(low.x, low.y, share.y);
@@ -48,7 +48,7 @@ float key_visibility(vec3 n) {
   for (int i = 0; i < SHADOW_TAPS; ++i) {
     float angle = 2.39996 * float(i), radius = reach * sqrt((float(i) + 0.5) / SHADOW_TAPS);
     vec2 at = shadow_position.xy + radius * vec2(cos(angle), sin(angle));
-    sum += texture(shadow_map, vec3(at, shadow_position.z));
+    sum += texture(shadow_map, vec3(at, min(shadow_position.z, 1.0)));
   }
   return sum / SHADOW_TAPS;
 }

@@ -83,6 +83,32 @@ TEST_CASE("render: the shadow darkens only the ground under the body") {
   CHECK(steps >= 5);
 }
 
+// Parts of the ground are then beyond the shadow map's depth, which is 1 where nothing is in the light's way.
+TEST_CASE("render: a body far above the ground shadows only what lies in its light") {
+  const auto context = test::each_context();
+  const Vector3d center(0, 2.2, 0);
+  Scene scene(test::sphere(center, 0.5, 16));
+  scene.look.ground_height = 0;
+  scene.camera.frame({-2, 0, -2}, {4, 2.7, 2});
+  scene.camera.fit({-2, 0, -2}, {4, 2.7, 2}, double(scene.width) / scene.height);
+  const Image shadow = scene.draw();
+  scene.look.shadow = false;
+  const Image plain = scene.draw();
+  const Vector3d light = test::toward_light(scene.look), up(0, 1, 0), across = up.cross(light).normalized(),
+                 along = light.cross(across);
+  const auto below = [&](double right, double ahead) {
+    const Vector3d start = center + right * across + ahead * along;
+    return scene.pixel_of(start - light * (start.y() / light.y()));
+  };
+  CHECK(color_at(shadow, below(0, 0)).sum() < 0.9 * color_at(plain, below(0, 0)).sum());
+  for (const auto& [right, ahead] :
+       {std::pair(0.0, 1.15), std::pair(-0.5, 1.2), std::pair(1.15, 0.0), std::pair(0.0, -1.15)}) {
+    CAPTURE(right, ahead, below(right, ahead).transpose());
+    const Vector3d difference = color_at(shadow, below(right, ahead)) - color_at(plain, below(right, ahead));
+    CHECK(difference.cwiseAbs().maxCoeff() <= 1.0 / 255);
+  }
+}
+
 TEST_CASE("render: no acne: a lit sphere with shadows looks as without if nothing blocks the light") {
   const auto context = test::each_context();
   for (const double factor : {1e-3, 1.0}) {

@@ -6,7 +6,8 @@ in vec2 place;
 layout(location = 0) out vec4 cover;
 
 void main() {
-  float depth = frame.ground_origin.w + place.x * frame.ground_u.w + place.y * frame.ground_v.w;
+  // 1 where nothing is in the light's way: below a body far above it, the ground may lie beyond.
+  float depth = min(frame.ground_origin.w + place.x * frame.ground_u.w + place.y * frame.ground_v.w, 1.0);
   vec4 share = vec4(0.0), height = vec4(0.0);
   const float quarter = 0.25 / GROUND_SIZE;  // of a texel: four gathers of 2 x 2 are spread over it
   for (int i = 0; i < 4; ++i) {
