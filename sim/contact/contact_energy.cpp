@@ -169,7 +169,7 @@ ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
 
 std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_t>& bodies, const VectorXd& u) const {
   std::vector<BodyContact> contacts;
-  pairs_.append_to(contacts, u);
+  pairs_.append_to(contacts, bodies, u);
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);

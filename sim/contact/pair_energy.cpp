@@ -104,18 +104,23 @@ void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
   }
 }
 
-void PairEnergy::append_to(std::vector<BodyContact>& contacts, const VectorXd& u) const {
+void PairEnergy::append_to(std::vector<BodyContact>& contacts, const std::vector<std::uint32_t>& bodies,
+                           const VectorXd& u) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const PairRow& row = rows_[i];
-    if (row.bodies[0] == row.bodies[1]) continue;
-    const Contact contact = contact_of(i, u);
+    std::array<std::uint32_t, 2> sides{};
     std::array<Vector3d, 2> places{Vector3d(0, 0, 0), Vector3d(0, 0, 0)};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t v = row.vertices[k];
-      places[row.weights[k] > 0 ? 0 : 1] +=
+      if (row.weights[k] == 0) continue;
+      const std::size_t side = row.weights[k] > 0 ? 0 : 1;
+      sides[side] = bodies[v];
+      places[side] +=
           std::abs(row.weights[k]) * (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
     }
-    contacts.push_back({row.bodies, places, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth,
+    if (sides[0] == sides[1]) continue;
+    const Contact contact = contact_of(i, u);
+    contacts.push_back({sides, places, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth,
                         row.normal, contact.tangential, kStickingPenalty * row.stiffness,
                         friction_ * before_[i].normal});
   }

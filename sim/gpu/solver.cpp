@@ -35,11 +35,11 @@ GpuSolver::GpuSolver(gl::ProgramCache& programs, const Model& model, const Solve
       model_(placed(model, placement)),
       settings_(settings),
       parts_(unconstrained_parts(model_, model_.held())),
-      part_translations_(parts_),
       features_(features_of(model)),
       buffers_(model_, std::move(placement)),
       motions_(model_),
       contact_(given_, buffers_, programs.load_path()),
+      bodies_(given_, buffers_),
       diagnostics_(buffers_),
       guard_(programs, buffers_),
       surface_(buffers_, drawn) {
@@ -207,6 +207,7 @@ void GpuSolver::materials_changed() {
   model_.gravity = given_.gravity;
   buffers_.upload_materials(model_);
   contact_.materials_changed(given_, buffers_);
+  bodies_.materials_changed();
   settings_changed();
   if (const Features features = features_of(model_); features != features_) {
     features_ = features;

@@ -15,7 +15,6 @@
 #include "sim/gpu/acceleration/stop_rule.h"
 #include "sim/gpu/contact/contact_term.h"
 #include "sim/gpu/contact/tool_watch.h"
-#include "sim/gpu/integrators/part_translations.h"
 #include "sim/gpu/integrators/stage.h"
 #include "sim/gpu/methods/method.h"
 #include "sim/gpu/passes/motion_targets.h"
@@ -163,6 +162,7 @@ class GpuSolver {
   bool takes_contact(int iteration) const;     // before it, into the coarse level
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_iterations();
+  void move_bodies();
   void end_stage();
   void iterate_all();
   void solve_stage(const IntegratorStage& stage);
@@ -214,7 +214,6 @@ class GpuSolver {
   Model model_;  // given_ in the order of placed(), which all members below use; materials and gravity follow
   SolverSettings settings_;
   UnconstrainedParts parts_;
-  PartTranslations part_translations_;
   Features features_;
   ColorBy color_ = ColorBy::none;
   SimBuffers buffers_;
@@ -231,6 +230,7 @@ class GpuSolver {
   std::vector<GrabSpring> springs_;  // at vertices of given_
   GrabSprings grab_;
   ContactTerm contact_;
+  BodyMotions bodies_;
   const EnergyTerms terms_{&grab_, &contact_};  // external energies
   const EnergyTerms terms_apart_{&grab_};       // those of steps in which no tool is near
   std::optional<ToolWatch> watch_;              // where there are tools, and tissue does not touch tissue

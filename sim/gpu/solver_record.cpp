@@ -111,7 +111,8 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   passes.first_iteration = iteration(r, true);
   passes.iteration = iteration(r, false);
   passes.completion = method_->complete_iteration(r);
-  const bool looks = contact_.searches() || (contact && contact_.may_move_bodies());
+  const bool moves_bodies = method_->descends() && !active && bodies_.may_move() && !buffers_.displacement_low;
+  const bool looks = contact_.searches() || moves_bodies;
   Passes& last = looks ? passes.check : passes.end;
   last = method_->end(r);
   if (stop_) {
@@ -120,9 +121,6 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
     before_every_ = stop_->interval();
   }
   append(passes.end, r.endings());
-  const bool alone = std::none_of(r.terms.begin(), r.terms.end(), [](const EnergyTerm* term) { return term->acts(); });
-  if (method_->descends() && !active && alone && !part_translations_.empty() && !buffers_.displacement_low)
-    append(passes.end, part_translations_.passes(r));
   passes.end.push_back(velocity_update(r));
   if (!fuses_ || (active && !programs_.fusing_rare()))
     for (const Passes* list : passes.lists())

@@ -48,6 +48,7 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
   ++stages_solved_;
   published_ = false;
   motions_.upload(model_, time_);
+  bodies_.begin(stiffness_of(terms_));
   if (const FusedStep* fused = fused_step())
     fused->begin.run();
   else
@@ -68,7 +69,7 @@ void GpuSolver::place_tools(const IntegratorStage& stage) {
   const double from = (time_ - step_begin_) / settings_.time_step;
   stage_motion_ = step_motion_.part(from, from + stage.duration / settings_.time_step);
   if (!touches()) return;
-  contact_.begin_stage(stage_motion_, time_ + stage.duration, stage, stiffness_of(terms_), buffers_);
+  contact_.begin_stage(stage_motion_, time_ + stage.duration, stage, buffers_);
 }
 
 // What begins to press within the iterations, or leaves what it touched, would be held as at the start of the stage:
@@ -129,15 +130,25 @@ void GpuSolver::iterate_all() {
   end_iterations();
 }
 
-// Where tissue may touch tissue: takes the last iteration back if it raised the objective, and lets bodies that touch
-// go on as wholes.
+// Where something is done between the iterations and the end of the stage: takes the last iteration back if it raised
+// the objective, and lets bodies that nothing holds go on as wholes.
 void GpuSolver::end_iterations() {
   if (kind_->passes.check.empty()) return;
   if (const FusedStep* fused = fused_step())
     fused->check.run();
   else
     run(kind_->passes.check);
-  if (touches() && !is_partial()) contact_.move_bodies(buffers_, downloads_);
+  if (!is_partial() && !bodies_.empty()) move_bodies();
+}
+
+void GpuSolver::move_bodies() {
+  if (touches()) return contact_.move_bodies(bodies_, buffers_, downloads_);
+  std::vector<shared::vec4> at(buffers_.vertex_count), aim(at.size());
+  downloads_.add(buffers_.displacement, at.size() * sizeof(shared::vec4), at.data());
+  downloads_.add(buffers_.predicted, aim.size() * sizeof(shared::vec4), aim.data());
+  downloads_.run();
+  std::vector<Eigen::Vector3d> u = buffers_.vectors_of(at);
+  if (bodies_.move(nullptr, buffers_.vectors_of(aim), stage_.length, u)) buffers_.upload_displacements(u, at);
 }
 
 void GpuSolver::solve_stage(const IntegratorStage& stage) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/tissue/tissue_surface.h"
+#include "sim/model/unconstrained_parts.h"
 
 namespace fascia {
 namespace {
@@ -184,33 +184,23 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
 }
 
 BodyMotions::BodyMotions(const Model& model, const SimBuffers& buffers)
-    : model_(&model),
-      bodies_(bodies_of_vertices(model)),
-      at_place_(buffers.vertex_count),
-      held_(std::max<std::size_t>(model.bodies.size(), 1)),
-      size_(buffers.size) {
-  const std::vector<char> held = model.held();
-  for (std::size_t v = 0; v < held.size(); ++v) {
-    at_place_[buffers.placement.place[v]] = bodies_[v];
-    held_[bodies_[v]] |= held[v];
-  }
+    : model_(&model), at_place_(buffers.vertex_count), size_(buffers.size) {
+  const UnconstrainedParts parts = unconstrained_parts(model, model.held());
+  bodies_ = parts.part;
+  free_.resize(parts.parts + 1);
+  for (std::size_t v = 0; v < bodies_.size(); ++v) at_place_[buffers.placement.place[v]] = bodies_[v];
   materials_changed();
 }
 
 void BodyMotions::materials_changed() {
-  if (!model_) return;
   masses_ = moving_masses(*model_);
   weighs_.clear();
   for (const double mass : lumped_masses(*model_)) weighs_.push_back(mass > 0);
 }
 
-bool BodyMotions::may_move() const {
-  return std::any_of(held_.begin(), held_.end(), [](char held) { return !held; });
-}
-
 void BodyMotions::begin(const std::vector<VertexStiffness>& springs) {
-  free_.clear();
-  for (const char held : held_) free_.push_back(!held);
+  std::fill(free_.begin(), free_.end(), 1);
+  free_.front() = 0;
   for (const VertexStiffness& spring : springs) free_[at_place_[spring.vertex]] = 0;
 }
 
@@ -252,7 +242,7 @@ std::vector<BodyInertia> BodyMotions::inertia_of(const std::vector<Vector3d>& pr
   return bodies;
 }
 
-bool BodyMotions::move(const ContactEnergy& contact, const std::vector<Vector3d>& predicted, double length,
+bool BodyMotions::move(const ContactEnergy* contact, const std::vector<Vector3d>& predicted, double length,
                        std::vector<Vector3d>& u) const {
   constexpr int kMostPasses = 4;        // turns are not small
   constexpr double kLargestTurn = 0.5;  // [rad] in a pass
@@ -260,7 +250,8 @@ bool BodyMotions::move(const ContactEnergy& contact, const std::vector<Vector3d>
   bool moves = false;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const std::vector<BodyInertia> inertia = inertia_of(predicted, u);
-    std::vector<BodyMotion> motions = best_motions(inertia, contact.of_bodies(bodies_, flat(u)), length, least);
+    const auto contacts = contact ? contact->of_bodies(bodies_, flat(u)) : std::vector<BodyContact>();
+    std::vector<BodyMotion> motions = best_motions(inertia, contacts, length, least);
     double largest = 0;
     for (const BodyMotion& motion : motions) largest = std::max(largest, motion.turn.norm());
     if (largest > kLargestTurn)

@@ -32,33 +32,33 @@ struct BodyMotion {
 std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, const std::vector<BodyContact>& contacts,
                                      double length, double least);
 
+/// Bodies are unconstrained parts of the model.
 class BodyMotions {
  public:
-  BodyMotions() = default;
   /// `model`: in its own order, outlives this.
   BodyMotions(const Model& model, const SimBuffers& buffers);
   void materials_changed();
 
-  bool may_move() const;  // whether nothing holds some body
+  bool may_move() const { return free_.size() > 1; }  // whether nothing holds some body
   /// In a stage with springs at places of the buffers' vertices: bodies that are held, or that a spring pulls, stay.
   void begin(const std::vector<VertexStiffness>& springs);
   bool empty() const;  // whether no body moves, after begin()
-  /// Moves the bodies from displacements `u` [vertex of the model]; false: all are where they should be. `predicted`:
-  /// u~ [m]; `length`: of the stage [s].
-  bool move(const ContactEnergy& contact, const std::vector<Eigen::Vector3d>& predicted, double length,
+  /// Moves the bodies from displacements `u` [vertex of the model]; false: all are where they should be. `contact`:
+  /// null where nothing touches; `predicted`: u~ [m]; `length`: of the stage [s].
+  bool move(const ContactEnergy* contact, const std::vector<Eigen::Vector3d>& predicted, double length,
             std::vector<Eigen::Vector3d>& u) const;
 
  private:
   std::vector<BodyInertia> inertia_of(const std::vector<Eigen::Vector3d>& predicted,
                                       const std::vector<Eigen::Vector3d>& u) const;
 
-  const Model* model_ = nullptr;
-  std::vector<std::uint32_t> bodies_;    // [vertex of the model]
+  const Model* model_;
+  std::vector<std::uint32_t> bodies_;    // [vertex of the model] UnconstrainedParts::part
   std::vector<std::uint32_t> at_place_;  // [place of a vertex] its body
   MovingMasses masses_;
-  std::vector<char> weighs_;       // [vertex of the model] whether it is of a tet
-  std::vector<char> held_, free_;  // [body]
-  double size_ = 0;                // of the tissue [m]
+  std::vector<char> weighs_;  // [vertex of the model] whether it is of a tet
+  std::vector<char> free_;    // [body] which move; the first one is all that is held
+  double size_ = 0;           // of the tissue [m]
 };
 
 }  // namespace fascia

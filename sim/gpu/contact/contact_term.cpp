@@ -145,7 +145,6 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
   starts_ = BodyStarts(model, buffers, first_vertices);
-  motions_ = BodyMotions(model, buffers);
   if (!pairs_.empty()) constants_ = gl::Buffer("contact_pairs", std::vector<vec4>(3 * pairs_.slot_count()));
   const std::vector<vec4> no_forces(surface_.row_count + pairs_.row_count());
   buffers.contact_memory = gl::Buffer("contact_memory", no_forces);
@@ -209,11 +208,10 @@ void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
   pairs_.materials_changed(model, std::span(softened).subspan(surface_.row_count));
   if (softened != left) buffers.upload_contact(softened);
   starts_.materials_changed(model);
-  motions_.materials_changed();
 }
 
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage,
-                              const std::vector<VertexStiffness>& springs, SimBuffers& buffers) {
+                              SimBuffers& buffers) {
   if (!acts()) return;
   read_list_.clear();
   if (length_ != stage.length) {
@@ -228,12 +226,10 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
     pairs_.begin(time, stage, buffers, surface_.row_count);
     if (had_pairs || !pairs_.rows().empty()) upload_pairs();
   }
-  motions_.begin(springs);
   starts_.begin(model_.gravity, pairs_);
 }
 
-void ContactTerm::move_bodies(SimBuffers& buffers, gl::Downloads& downloads) const {
-  if (motions_.empty()) return;
+void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) const {
   std::vector<vec4> at(buffers.vertex_count), from(at.size()), aim(at.size());
   std::vector<vec4> left(surface_.row_count + pairs_.row_count());
   std::vector<std::uint32_t> near(point_count());
@@ -250,12 +246,7 @@ void ContactTerm::move_bodies(SimBuffers& buffers, gl::Downloads& downloads) con
   const Eigen::VectorXd start =
       Eigen::Map<const Eigen::VectorXd>(started.data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
   const ContactEnergy energy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_, near);
-  if (!motions_.move(energy, buffers.vectors_of(aim), length_, u)) return;
-  for (std::size_t v = 0; v < u.size(); ++v) {
-    vec4& moved = at[buffers.placement.place[v]];
-    moved = row_of(u[v], moved.w);
-  }
-  buffers.displacement.upload(0, at.size() * sizeof(vec4), at.data());
+  if (motions.move(&energy, buffers.vectors_of(aim), length_, u)) buffers.upload_displacements(u, at);
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {

@@ -28,19 +28,17 @@ class ContactTerm : public EnergyTerm {
 
   /// Also softens the forces in the buffers' contact_memory where tissue became softer. Waits for the GPU.
   void materials_changed(const Model& model, SimBuffers& buffers);
-  /// The poses of a stage that ends at `time` [s], and the pairs of the tissue, on which `springs` act, at places of
-  /// the buffers' vertices. Waits for the GPU where tissue touches tissue.
-  void begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage,
-                   const std::vector<VertexStiffness>& springs, SimBuffers& buffers);
+  /// The poses of a stage that ends at `time` [s], and the pairs of the tissue. Waits for the GPU where tissue touches
+  /// tissue.
+  void begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage, SimBuffers& buffers);
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
-  /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes
-  /// (body_motions.h). Waits for the GPU if there are any.
-  void move_bodies(SimBuffers& buffers, gl::Downloads& downloads) const;
-  bool may_move_bodies() const { return motions_.may_move(); }
+  /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes. Waits for the
+  /// GPU.
+  void move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) const;
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
@@ -129,7 +127,6 @@ class ContactTerm : public EnergyTerm {
   double half_thickness_ = 0, margin_ = 0;         // [m]; margin: added to the reach of every piece
   double let_in_ = 0;                              // [m] how deep inside tools bodies are taken
   BodyStarts starts_;
-  BodyMotions motions_;
   std::uint32_t most_entries_ = 0;                    // of a vertex, two points each
   std::vector<std::array<std::uint32_t, 4>> places_;  // of the vertices of points and pairs
   gl::Buffer vertices_, weights_, rest_;              // of the points

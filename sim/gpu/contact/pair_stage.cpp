@@ -58,7 +58,7 @@ void PairStage::take_back(SimBuffers& buffers) {
   end_ = buffers.download_vectors(buffers.displacement);
   const auto back = timed([&] { return search_.taken_back(start_, end_, lumped_masses(model_)); });
   if (!back) return;
-  buffers.upload_displacements(*back, true);
+  buffers.upload_displacements(*back, buffers.displacement.read<shared::vec4>());
   ++taken_back_;
 }
 

@@ -232,9 +232,10 @@ void SimBuffers::set_phantom_count(std::uint32_t count) {
   displacement = std::move(wider);
 }
 
-void SimBuffers::upload_displacements(const std::vector<Eigen::Vector3d>& u, bool in_stage) {
-  std::vector<vec4> values = in_stage ? displacement.read<vec4>() : std::vector<vec4>(vertex_count);
-  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(u[placement.vertex[i]], values[i].w);
+void SimBuffers::upload_displacements(const std::vector<Eigen::Vector3d>& u, const std::vector<vec4>& before) {
+  std::vector<vec4> values(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i)
+    values[i] = to_vec4(u[placement.vertex[i]], before.empty() ? 0 : before[i].w);
   displacement.upload(0, values.size() * sizeof(vec4), values.data());
   if (!displacement_low) return;
   for (std::size_t i = 0; i < vertex_count; ++i)
@@ -243,7 +244,7 @@ void SimBuffers::upload_displacements(const std::vector<Eigen::Vector3d>& u, boo
 }
 
 void SimBuffers::upload_state(const Model& model, const State& state) {
-  upload_displacements(state.displacement, false);
+  upload_displacements(state.displacement);
   std::vector<vec4> values(vertex_count);
   std::vector<char> fixed(vertex_count);
   for (const std::uint32_t v : model.fixed) fixed[v] = 1;
