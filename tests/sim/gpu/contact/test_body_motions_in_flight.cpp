@@ -67,7 +67,7 @@ TEST_CASE("what nothing holds keeps its momentum in unfinished iterations", "[gp
   }
 }
 
-// Three iterations alone leave a fourth of the turn that this cube has after half a second by exact steps.
+// Three iterations alone leave a sixth of the energy that this cube has after half a second by exact steps.
 TEST_CASE("what nothing holds turns on in unfinished iterations", "[gpu]") {
   const bool of_quadratic = GENERATE(false, true);
   const Integrator integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2);
