@@ -252,11 +252,8 @@ bool BodyMotions::move(const ContactEnergy* contact, const std::vector<Vector3d>
     const std::vector<BodyInertia> inertia = inertia_of(predicted, u);
     const auto contacts = contact ? contact->of_bodies(bodies_, flat(u)) : std::vector<BodyContact>();
     std::vector<BodyMotion> motions = best_motions(inertia, contacts, length, least);
-    double largest = 0;
-    for (const BodyMotion& motion : motions) largest = std::max(largest, motion.turn.norm());
-    if (largest > kLargestTurn)
-      for (BodyMotion& motion : motions)
-        motion = {kLargestTurn / largest * motion.way, kLargestTurn / largest * motion.turn};
+    for (BodyMotion& motion : motions)
+      if (const double angle = motion.turn.norm(); angle > kLargestTurn) motion.turn *= kLargestTurn / angle;
     bool turns = false;
     for (std::size_t v = 0; v < bodies_.size(); ++v) {
       const BodyMotion& motion = motions[bodies_[v]];

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "sim/gpu/contact/body_motions.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
 #include "tests/support/gpu/gpu_fixture.h"
@@ -99,4 +100,29 @@ TEST_CASE("what nothing holds turns on in unfinished iterations", "[gpu]") {
                begun = energy_of(initial_state(model));
   CAPTURE(of_quadratic, name_of(integrator), found / begun, expected / begun);
   CHECK(found == Approx(expected).epsilon(0.05));
+}
+
+// One bar is to turn by 2 rad, which takes several passes, the other to move only.
+TEST_CASE("a body that turns far holds no other back", "[gpu]") {
+  Gpu gpu;
+  const auto bar = [](double x) {
+    return moved(make_model(make_box(2, 1, 1, {0.1, 0.05, 0.05}), Material{}, [](const Vector3d&) { return false; }),
+                 {x, 0, 0});
+  };
+  const Model model = beside(bar(0), bar(1), "second");
+  const SimBuffers buffers(model);
+  BodyMotions motions(model, buffers);
+  motions.begin({});
+  const std::uint32_t second = model.bodies[1].vertex_begin;
+  const Vector3d way(0.01, -0.02, 0.03), middle(0.05, 0.025, 0.025);
+  std::vector<Vector3d> wanted(model.rest_positions.size(), way), u(wanted.size(), Vector3d::Zero());
+  for (std::uint32_t v = 0; v < second; ++v) {
+    const Vector3d arm = model.rest_positions[v] - middle;
+    wanted[v] += Eigen::AngleAxisd(2, Vector3d::UnitY()) * arm - arm;
+  }
+  REQUIRE(motions.move(nullptr, wanted, 1.0 / 60, u));
+  for (std::uint32_t v = second; v < u.size(); ++v) {
+    CAPTURE(v, u[v].transpose(), way.transpose());
+    REQUIRE((u[v] - way).norm() < 1e-6 * way.norm());
+  }
 }
