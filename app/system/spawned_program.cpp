@@ -1,6 +1,7 @@
 #include "app/system/spawned_program.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
@@ -78,6 +79,21 @@ void SpawnedProgram::write(std::string_view text) {
     if (written <= 0) return;  // it has ended: ended() says so
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+std::string SpawnedProgram::answered_line(double most) {
+  using Clock = std::chrono::steady_clock;
+  const auto last = Clock::now() + std::chrono::duration<double>(most);
+  std::string line;
+  while (Clock::now() < last) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(last - Clock::now());
+    pollfd socket{input_, POLLIN, 0};
+    if (poll(&socket, 1, static_cast<int>(left.count()) + 1) <= 0) continue;
+    char letter = 0;
+    if (recv(input_, &letter, 1, 0) != 1 || letter == '\n') break;
+    line += letter;
+  }
+  return line;
 }
 
 void SpawnedProgram::ask_to_end() const {

@@ -26,7 +26,10 @@ class SpawnedProgram {
   SpawnedProgram(SpawnedProgram&& other) noexcept;
   SpawnedProgram& operator=(SpawnedProgram&&) = delete;
 
-  void write(std::string_view text);             // to its standard input
+  void write(std::string_view text);  // to its standard input
+  /// The next line that it writes to its standard input, a socket that carries both ways; what has come until `most`
+  /// seconds are over or the program has ended, if that is no whole line.
+  std::string answered_line(double most);
   void ask_to_end() const;                       // SIGTERM
   std::optional<End> ended();                    // does not wait
   std::optional<End> wait_for_end(double most);  // [s]

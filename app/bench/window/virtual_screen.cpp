@@ -1,44 +1,33 @@
 #include "app/bench/window/virtual_screen.h"
 
-#include <filesystem>
-#include <thread>
-
 #include "base/error.h"
 
 namespace fascia {
 namespace {
 
-constexpr int kFirstScreen = 90, kLastScreen = 190;
+constexpr double kPatience = 20;  // [s]
 
-std::filesystem::path socket_of(int screen) { return "/tmp/.X11-unix/X" + std::to_string(screen); }
-
-// The lowest number that no server has. Another program may take it at the same moment; Xvfb then ends at once.
-std::string free_screen() {
-  for (int screen = kFirstScreen; screen < kLastScreen; ++screen)
-    if (!std::filesystem::exists(socket_of(screen)) &&
-        !std::filesystem::exists("/tmp/.X" + std::to_string(screen) + "-lock"))
-      return ":" + std::to_string(screen);
-  throw Error("/tmp/.X11-unix", "has no free number for a screen", "expected one from 90 to 189");
+SpawnedProgram started_server(int width, int height) {
+  // The server itself finds a number that no other has, and writes it to its standard input when it can be used.
+  return SpawnedProgram({"Xvfb", "-displayfd", "0", "-screen", "0",
+                         std::to_string(width) + "x" + std::to_string(height) + "x24", "-nolisten", "tcp", "-noreset"});
 }
 
-SpawnedProgram started_server(const std::string& name, int width, int height) {
-  const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
-  SpawnedProgram server({"Xvfb", name, "-screen", "0", size, "-nolisten", "tcp", "-noreset"});
-  constexpr int kPatience = 200;  // times 50 ms
-  const std::filesystem::path socket = socket_of(std::stoi(name.substr(1)));
-  for (int i = 0; i < kPatience && !std::filesystem::exists(socket) && !server.ended(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  if (server.ended() || !std::filesystem::exists(socket))
-    throw Error("Xvfb " + name, "did not start", "expected a virtual screen of " + size);
-  return server;
+std::string name_of(SpawnedProgram& server) {
+  const std::string number = server.answered_line(kPatience);
+  if (number.empty()) throw Error("Xvfb", "did not start", "expected a virtual screen");
+  return ":" + number;
 }
 
 }  // namespace
 
 VirtualScreen::VirtualScreen(int width, int height)
-    : name_(free_screen()),
-      server_(started_server(name_, width, height)),
-      mouse_({"xdotool", "-"}, {{"DISPLAY", name_}}) {}
+    : server_(started_server(width, height)), name_(name_of(server_)), mouse_({"xdotool", "-"}, {{"DISPLAY", name_}}) {}
+
+VirtualScreen::~VirtualScreen() {
+  server_.ask_to_end();  // a server that is killed leaves its socket behind
+  server_.wait_for_end(kPatience);
+}
 
 VirtualScreen::Clock::time_point VirtualScreen::carry_out(const std::string& command) {
   mouse_.write(command + "\n");

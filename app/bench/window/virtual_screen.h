@@ -13,6 +13,9 @@ class VirtualScreen {
 
   /// Throws Error if Xvfb or xdotool is missing.
   VirtualScreen(int width, int height);
+  VirtualScreen(const VirtualScreen&) = delete;
+  VirtualScreen& operator=(const VirtualScreen&) = delete;
+  ~VirtualScreen();
   const std::string& name() const { return name_; }  // for DISPLAY
 
   /// Each returns when the command was passed on: the window gets the event about a millisecond later.
@@ -23,8 +26,8 @@ class VirtualScreen {
  private:
   Clock::time_point carry_out(const std::string& command);
 
-  std::string name_;
   SpawnedProgram server_;
+  std::string name_;
   SpawnedProgram mouse_;
 };
 

@@ -35,6 +35,17 @@ TEST_CASE("what a spawned program says is in its file") {
   CHECK(read_file(folder / "said") == "out\nerr\nend\n");
 }
 
+TEST_CASE("what a spawned program answers to its input comes line by line") {
+  SpawnedProgram program({"sh", "-c", "read word; echo \"$word 1\" >&0; echo 2 >&0; printf end >&0"});
+  CHECK(program.answered_line(0.05) == "");
+  program.write("line\n");
+  CHECK(program.answered_line(kLong) == "line 1");
+  CHECK(program.answered_line(kLong) == "2");
+  CHECK(program.answered_line(kLong) == "end");
+  REQUIRE(program.wait_for_end(kLong));
+  CHECK(program.answered_line(kLong) == "");  // at once
+}
+
 TEST_CASE("a spawned program that fails, is asked to end, or is missing") {
   SpawnedProgram failing({"sh", "-c", "exit 3"});
   REQUIRE(failing.wait_for_end(kLong));

@@ -2,9 +2,11 @@
 // tested is that they are there and possible.
 // Covers: app/bench/window/virtual_screen, app/window/parts/frame_log
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
+#include "app/bench/window/virtual_screen.h"
 #include "base/file.h"
 #include "tests/support/support.h"
 
@@ -21,6 +23,23 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 }  // namespace
+
+TEST_CASE("virtual screens find numbers of their own and leave nothing behind") {
+  const auto socket = [](const std::string& name) { return "/tmp/.X11-unix/X" + name.substr(1); };
+  std::string first, second;
+  {
+    const VirtualScreen one(320, 200), other(320, 200);
+    first = one.name();
+    second = other.name();
+    CAPTURE(first, second);
+    CHECK(first != second);
+    CHECK(std::filesystem::exists(socket(first)));
+    CHECK(std::filesystem::exists(socket(second)));
+  }
+  CAPTURE(first, second);
+  CHECK_FALSE(std::filesystem::exists(socket(first)));
+  CHECK_FALSE(std::filesystem::exists(socket(second)));
+}
 
 TEST_CASE("a window is measured cold and warm, by its own log of frames") {
   const TemporaryFolder folder;
