@@ -20,12 +20,14 @@ void main() {
   float share = uintBitsToFloat(FETCH1(contact_bodies, leader));
   uint force = FORCE_OF_BODY(FETCH1(contact_body, 2u * i + 1u));
   bool carried = is_carried(FETCH1(contact_bodies, force), FETCH1(contact_bodies, force + 1u), FETCH1(contact_bodies, force + 2u));
-  if (share == 0.0 || share >= 1.0 && !carried) return;
-  vec3 free = last_step[i].xyz;
-  if (carried)
+  if (!carried && (share == 0.0 || share >= 1.0)) return;
+  vec3 step = last_step[i].xyz, free = step;
+  if (carried) {
+    step -= SUBSTEP * SUBSTEP * GRAVITY;
     free = way_of_carried(FETCH1(contact_bodies, force + 3u), FETCH1(contact_bodies, force + 4u), FETCH1(contact_bodies, force + 5u),
                           FETCH1(contact_bodies, force + 6u));
+  }
   free *= min(share, 1.0);
   displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + free;
-  last_step[i].xyz -= free;
+  last_step[i].xyz = step - free;
 }
