@@ -15,6 +15,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // cost: an iteration with it gains at least as many digits per second. In motion, that of the step before often is.
 constexpr double reuse_below = 0.1;
 
+constexpr double roundings = 32;  // of an objective, in those of its terms
+
 }  // namespace
 
 Minimizer::Minimizer(const ElasticSystem& system)
@@ -60,6 +62,11 @@ Minimizer::Value Minimizer::evaluate(const Potential& potential, const VectorXd&
   value.gradient = system_.free_part(gradient);
   value.force_scale = std::max({internal.norm(), applied.norm(), motion.norm(), contact});
   return value;
+}
+
+bool Minimizer::climbs(const Potential& potential, const VectorXd& from, const VectorXd& to) const {
+  const Value before = evaluate(potential, from), after = evaluate(potential, to);
+  return after.energy > before.energy + roundings * epsilon * (before.magnitude + after.magnitude);
 }
 
 void Minimizer::factorize(const Potential& potential, const VectorXd& u) {
@@ -134,7 +141,7 @@ VectorXd Minimizer::solve(const VectorXd& right) const {
 bool Minimizer::line_search(const Potential& potential, const VectorXd& direction, VectorXd& u, Value& value,
                             double& step) const {
   const double slope = value.gradient.dot(direction);
-  const double rounding = 32 * epsilon * value.magnitude;
+  const double rounding = roundings * epsilon * value.magnitude;
   for (step = 1; step > 1e-12; step /= 2) {
     VectorXd trial = u;
     system_.add_to_free(direction, step, trial);

@@ -49,6 +49,9 @@ class Minimizer {
     bool upright;  // give up as soon as a tet inverts
     std::stop_token stop;
   };
+  /// Whether the minimum `to` is above `from`, by more than rounding: Newton's method then went from where the velocity
+  /// leads to the minimum of another motion, such as a stiff body on another of its faces.
+  bool climbs(const Potential& potential, const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
   /// Minimizes from `u` with its constrained entries kept, to |gradient| <= tolerance * force scale (NewtonReport) or
   /// to the rounding of the gradient, whichever is larger.
   NewtonReport minimize(const Potential& potential, double tolerance, const Limits& limits, Eigen::VectorXd& u);

@@ -226,6 +226,10 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   const HeldPath path(model, old, state.time, state.time + stage.duration);
   NewtonReport report = follow(
       path, [&](double) { return potential; }, path.moves(), step_tolerance, u);
+  if (!path.moves() && minimizer.climbs(potential, old, u)) {
+    u = old;
+    report.go_on(minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u));
+  }
   int again = 0;
   for (; again < PairSearch::kMostSearches && pairs.misses(as_vectors(u)); ++again) {
     potential.contact = contact_again(old, penalty, motion, aim, state.contact);

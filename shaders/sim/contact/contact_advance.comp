@@ -1,5 +1,6 @@
 // Moves the bodies along the first step, or along their way as a whole if they are carried (support.glsl), to where they
-// meet something. Where the whole step raises the objective, the iterations so go back to there, and not to the start of the
+// meet something. The first step of those that are carried loses what gravity adds to it, which would lead them into what
+// carries them. Where the whole step raises the objective, the iterations so go back to there, and not to the start of the
 // stage. After guess_begin.
 #include "common/io.glsl"
 COMPUTE_1D
