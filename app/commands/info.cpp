@@ -25,6 +25,7 @@
 #include "sim/ordering/graph_coloring.h"
 #include "sim/ordering/morton_order.h"
 #include "sim/surface/surface_fill.h"
+#include "sim/tool/tool.h"
 
 namespace fascia {
 namespace {
@@ -44,6 +45,15 @@ void print_coloring(const std::string& name, const Model& model, const Coloring&
   std::cout << "  coloring     " << name << ": " << plural(coloring.color_count(), "color") << " of ";
   if (least < most) std::cout << least << " to ";
   std::cout << plural(most, "tet") << ", " << plural(coloring.phantom_vertex.size(), "phantom") << '\n';
+}
+
+void print_tool(const Tool& tool) {
+  constexpr const char* kShapes[] = {"sphere", "capsule", "box", "plane", "cylinder", "mesh"};  // as ToolShape
+  static_assert(std::size(kShapes) == std::variant_size_v<ToolShape>);
+  std::cout << "  tool         " << tool.name << ": " << kShapes[tool.shape.index()]
+            << (tool.has_jaws ? " as jaws" : "") << ", friction " << tool.friction;
+  if (tool.path.size() > 1) std::cout << ", moves until " << tool.end() << " s";
+  std::cout << '\n';
 }
 
 void print_colorings(const Model& model, int asked) {
@@ -144,6 +154,7 @@ int inspect(const InfoOptions& options) {
     std::cout << "  material     " << model.material_names[i] << ": E " << m.young_modulus << " Pa, nu "
               << m.poisson_ratio << ", density " << m.density << " kg/m^3, damping " << m.damping << " s\n";
   }
+  for (const Tool& tool : model.tools) print_tool(tool);
   print_colorings(model, scene.solver.colors);
   if (const EmbeddedPoints& drawn = model.embedded; !drawn.points.empty())
     std::cout << "  surface      " << plural(drawn.points.size(), "vertex") << ", " << drawn.outside

@@ -164,10 +164,21 @@ void append_to(json& document, const char* list, const char* option, json elemen
   apply(document, option, {list, std::to_string(count)}, std::move(element), origin);
 }
 
+/// Numbers that JSON does not know: .5, +5 and 5.
+std::optional<double> number_in(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  if (text.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return std::nullopt;
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 json value_of(const std::string& text) {
   try {
     return parse_json(text, "");
   } catch (const Error&) {
+    if (const std::optional<double> number = number_in(text)) return *number;
     return text;
   }
 }

@@ -93,6 +93,15 @@ TEST_CASE("info reports colors and their balance", "[cli]") {
   CHECK(result.out.find(" phantoms") != std::string::npos);
 }
 
+TEST_CASE("info names the tools of a scene", "[cli]") {
+  const std::string scene = (source_dir() / "assets/scenes/kidney_lifted.json").string();
+  const CommandResult result = run_fascia({"info", scene});
+  CAPTURE(result.out);
+  CHECK(result.exit_code == 0);
+  CHECK(result.out.find("  tool         ground: plane, friction 0.5\n") != std::string::npos);
+  CHECK(result.out.find("  tool         forceps: box as jaws, friction 0.9, moves until 4.8 s\n") != std::string::npos);
+}
+
 TEST_CASE("the singular is used for one item", "[cli]") {
   const TemporaryFolder folder;
   write_file(

@@ -84,6 +84,17 @@ TEST_CASE("a key is a path from the top of the scene") {
   CHECK(segments_of("gravity..1").empty());
 }
 
+TEST_CASE("an override may be a number as people write it") {
+  const auto [text, value] = GENERATE(table<std::string, double>(
+      {{".25", 0.25}, {"+.25", 0.25}, {"1.", 1}, {"+1", 1}, {"25e-2", 0.25}, {".25e0", 0.25}}));
+  CAPTURE(text);
+  CHECK(with({"materials.default.damping=" + text}).bodies[0].material.damping == value);
+  for (const std::string wrong : {".", "+", "1.2.3", "nan", "inf", "+-1", "0x1"}) {
+    CAPTURE(wrong);
+    CHECK(error_with({"materials.default.damping=" + wrong}).find("expected a number") != std::string::npos);
+  }
+}
+
 TEST_CASE("the last override wins") {
   CHECK(with({"solver.iterations=3", "solver.iterations=4"}).solver.iterations == 4);
   CHECK(with({"solver={\"iterations\": 3}", "solver.substeps=4"}).solver.iterations == 3);
