@@ -48,9 +48,7 @@ void print_coloring(const std::string& name, const Model& model, const Coloring&
 }
 
 void print_tool(const Tool& tool) {
-  constexpr const char* kShapes[] = {"sphere", "capsule", "box", "plane", "cylinder", "mesh"};  // as ToolShape
-  static_assert(std::size(kShapes) == std::variant_size_v<ToolShape>);
-  std::cout << "  tool         " << tool.name << ": " << kShapes[tool.shape.index()]
+  std::cout << "  tool         " << tool.name << ": " << kShapeNames[tool.shape.index()]
             << (tool.has_jaws ? " as jaws" : "") << ", friction " << tool.friction;
   if (tool.path.size() > 1) std::cout << ", moves until " << tool.end() << " s";
   std::cout << '\n';

@@ -1,8 +1,8 @@
 // Moves the bodies along the first step, or along their way as a whole if they are carried (support.glsl), to where they
 // meet something. The first step of those that are carried loses what gravity adds to it, which would lead them into what
-// carries them. With fewer than four iterations it keeps it, so that the iterations go back: what they leave of a vibration
-// would else not die away (cubes of 1 kg tremble by 0.4 mm/s). Where the whole step raises the objective, the iterations so go back to there, and not to the start of the
-// stage. After guess_begin.
+// carries them. With fewer than four iterations it keeps that, so that these go back: what they leave of a vibration would
+// else not die away, and bodies at rest would tremble. Where the whole step raises the objective, the iterations so go
+// back to there, and not to the start of the stage. After guess_begin.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "common/step.glsl"

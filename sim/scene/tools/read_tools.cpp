@@ -15,7 +15,7 @@ using tool_limits::kLongest;
 using tool_limits::kSmallest;
 constexpr double kMostFriction = 10;
 constexpr double kMostTurns = 1000;
-const std::vector<std::string> kShapes = {"sphere", "capsule", "box", "plane", "cylinder", "mesh"};
+const std::vector<std::string> kShapes(kShapeNames.begin(), kShapeNames.end());
 
 Vector3d place(const Node& node, const char* key, const char* expected) {
   return node.at(key, expected).vector(-kFarthest, kFarthest, "m");

@@ -2,6 +2,7 @@
 // shapes, where they are, and how they move. All lengths in m, in the axes of the scene.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,9 @@ struct MeshShape {                         // inside of a closed surface
   bool operator==(const MeshShape& other) const { return file == other.file && scale == other.scale; }
 };
 using ToolShape = std::variant<SphereShape, CapsuleShape, BoxShape, PlaneShape, CylinderShape, MeshShape>;
+/// As scenes call them, [ToolShape::index()].
+inline constexpr std::array<const char*, std::variant_size_v<ToolShape>> kShapeNames = {"sphere", "capsule",  "box",
+                                                                                        "plane",  "cylinder", "mesh"};
 
 /// Two mirrored copies of a shape that turn about a hinge through the origin of the instrument. They point along the
 /// instrument's axis nearest to the middle of the shape and close on the plane through that axis and the hinge.

@@ -1,6 +1,7 @@
 // Bodies that are stiff for their size, which within a step would fall far into what carries them.
 #include "sim/gpu/contact/body_starts.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -88,6 +89,26 @@ TEST_CASE("tissue that is pressed on the ground begins a step where it moves on"
     }
     state = exact;
   }
+}
+
+TEST_CASE("a dropped cube comes to rest, with few iterations, too", "[gpu][contact]") {
+  test::Gpu gpu;
+  const int iterations = GENERATE(2, 3, 4, 10);
+  Model model = cube(0.1, 5, soft_tissue(2e4));
+  for (Vector3d& x : model.rest_positions) x.y() += 0.05;
+  model.tools = {tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
+  SolverSettings settings = two_level();
+  settings.iterations = iterations;
+  settings.rest_speed = 0;
+  GpuSolver solver(gpu.programs, model, settings);
+  double fastest = 0;  // [m/s]
+  for (int i = 0; i < 180; ++i) {
+    solver.step();
+    if (i < 150) continue;
+    for (const Vector3d& v : solver.download().velocity) fastest = std::max(fastest, v.norm());
+  }
+  CAPTURE(iterations, fastest);
+  CHECK(fastest < 1e-4);
 }
 
 }  // namespace
