@@ -54,13 +54,15 @@ void mesh_frame_rows(const BareMeshPlan& plan, Requests& requests) {
   for (const LengthUnit unit : kLengthUnits) {
     const std::string help = std::string("Opens the mesh again in ") + name_of(unit);
     const char* const label = unit == LengthUnit::um ? "\xc2\xb5m" : name_of(unit);
-    if (units.add(label, help, unit == plan.unit)) open_again(unit, plan.up);
+    const bool lit = unit == plan.unit;
+    if (units.add(label, help, lit) && !lit) open_again(unit, plan.up);
   }
   ui::label("Up", "Axis of the mesh that points up: " + plan.up_reason + ". A saved scene has it as the key up");
   ui::ButtonRow axes(static_cast<int>(kUpAxes.size()));
   for (const UpAxis up : kUpAxes) {
     const std::string help = std::string("Opens the mesh again with ") + name_of(up) + " up";
-    if (axes.add(name_of(up), help, up == plan.up)) open_again(plan.unit, up);
+    const bool lit = up == plan.up;
+    if (axes.add(name_of(up), help, lit) && !lit) open_again(plan.unit, up);
   }
 }
 

@@ -13,6 +13,7 @@
 #include "app/ui/units.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/text.h"
 
 namespace fascia {
 namespace {
@@ -349,8 +350,10 @@ void Window::rescale(double factor) {
 }
 
 void Window::open_again(const std::vector<std::string>& overrides) {
+  const std::size_t instruments = stage_.simulation().scene.tools.instruments.size();
   take_over(opener_.open(stage_.simulation().scene.file, overrides));
-  stage_.messages.say("The mesh was opened again, with an empty undo history. Ctrl+S saves it as a scene");
+  const std::string lost = instruments > 0 ? " and without its " + plural(instruments, "instrument") : "";
+  stage_.messages.say("The mesh was opened again, with an empty undo history" + lost + ". Ctrl+S saves it as a scene");
 }
 
 void Window::add_instrument(InstrumentPreset preset) {

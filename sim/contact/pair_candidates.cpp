@@ -270,6 +270,7 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
   PairRow& row = candidate.row;
   row.vertices = {a.from, a.to, b.from, b.to};
   row.weights = {1 - crossing.s, crossing.s, crossing.t - 1, -crossing.t};
+  row.sides = PairRow::kOfEdges;
   row.normal = normal;
   const double softness = (1 - crossing.s) * softness_[a.from] + crossing.s * softness_[a.to] +
                           (1 - crossing.t) * softness_[b.from] + crossing.t * softness_[b.to];

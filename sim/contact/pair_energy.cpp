@@ -112,11 +112,10 @@ void PairEnergy::append_to(std::vector<BodyContact>& contacts, const std::vector
     std::array<Vector3d, 2> places{Vector3d(0, 0, 0), Vector3d(0, 0, 0)};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t v = row.vertices[k];
-      if (row.weights[k] == 0) continue;
-      const std::size_t side = row.weights[k] > 0 ? 0 : 1;
+      const std::size_t side = row.sides[k];
       sides[side] = bodies[v];
-      places[side] +=
-          std::abs(row.weights[k]) * (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
+      places[side] += (side == 0 ? row.weights[k] : -row.weights[k]) *
+                      (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
     }
     if (sides[0] == sides[1]) continue;
     const Contact contact = contact_of(i, u);

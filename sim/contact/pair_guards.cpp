@@ -27,9 +27,7 @@ Vertices sorted(Vertices vertices) {
   return vertices;
 }
 
-bool of_edges(const PairRow& row) {
-  return std::count_if(row.weights.begin(), row.weights.end(), [](double w) { return w < 0; }) == 2;
-}
+bool of_edges(const PairRow& row) { return std::count(row.sides.begin(), row.sides.end(), 1) == 2; }
 
 bool same_features(const PairRow& a, const PairRow& b) {
   return of_edges(a) == of_edges(b) && sorted(a.vertices) == sorted(b.vertices);
@@ -79,10 +77,11 @@ bool PairSearch::press_harder(const PairRow& row) {
 }
 
 // Whether the next solution differs by it: a new guard, one with another normal, or a pair that presses harder.
-bool PairSearch::add_guard(const Passage& passage, const Vertices& vertices, double area,
+bool PairSearch::add_guard(const Passage& passage, const Vertices& vertices, const PairRow::Sides& sides, double area,
                            std::initializer_list<std::uint32_t> slots) {
   PairRow row;
   row.vertices = vertices;
+  row.sides = sides;
   row.weights = passage.weights;
   row.normal = passage.normal;
   row.bodies = {body_of_[vertices[0]], body_of_[vertices[3]]};
@@ -141,8 +140,9 @@ bool PairSearch::guard(std::uint32_t e, std::uint32_t triangle) {
     consider(edge_through_edge(at(start_, of), at(end_, of)), of, other);
   }
   if (!first) return false;
-  if (other_edge == kNone) return add_guard(*first, vertices, areas_[vertices[0]], {guard_of_vertex(vertices[0])});
-  return add_guard(*first, vertices, (edge.area + edges_[other_edge].area) / 6,
+  if (other_edge == kNone)
+    return add_guard(*first, vertices, PairRow::kOfVertex, areas_[vertices[0]], {guard_of_vertex(vertices[0])});
+  return add_guard(*first, vertices, PairRow::kOfEdges, (edge.area + edges_[other_edge].area) / 6,
                    {guard_of_edge(e), guard_of_edge(other_edge)});
 }
 
@@ -291,7 +291,7 @@ void PairSearch::keep_guard_of_vertex(std::uint32_t v) {
         passage = {0, {1, -w[0], -w[1], -w[2]}, normal.dot(between) < 0 ? Vector3d(-normal) : normal};
         vertices = {v, t[0], t[1], t[2]};
       });
-  if (vertices[0] != vertices[1]) add_guard(passage, vertices, areas_[v], {guard_of_vertex(v)});
+  if (vertices[0] != vertices[1]) add_guard(passage, vertices, PairRow::kOfVertex, areas_[v], {guard_of_vertex(v)});
 }
 
 // The same of an edge, unless it cuts a face: its side is then not known.
@@ -328,7 +328,7 @@ void PairSearch::keep_guard_of_edge(std::uint32_t e) {
         if (edges_[other].sides[0] == triangle) look_at(edges_[other]);
     });
   }
-  if (vertices[0] != vertices[1] && !cuts) add_guard(passage, vertices, area, {guard_of_edge(e)});
+  if (vertices[0] != vertices[1] && !cuts) add_guard(passage, vertices, PairRow::kOfEdges, area, {guard_of_edge(e)});
 }
 
 void PairSearch::keep_guards() {

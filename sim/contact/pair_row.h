@@ -9,10 +9,15 @@
 namespace fascia {
 
 struct PairRow {
-  /// The gap is normal . sum_a weights[a] x[vertices[a]] - target; the weights sum to 0, those above 0 are of the side
-  /// that `normal` points to. The first vertex is free.
+  /// Of the vertices: 0 those of the side that `normal` points to, 1 of the other.
+  using Sides = std::array<std::uint8_t, 4>;
+  static constexpr Sides kOfVertex{0, 1, 1, 1}, kOfEdges{0, 0, 1, 1};
+
+  /// The gap is normal . sum_a weights[a] x[vertices[a]] - target; the weights of side 0 sum to 1, those of the other
+  /// to -1. Beside a face or an end of an edge single ones have the other sign. The first vertex is free.
   std::array<std::uint32_t, 4> vertices{};
   std::array<double, 4> weights{};
+  Sides sides = kOfVertex;
   Eigen::Vector3d normal{0, 0, 0};        // a unit vector, constant within the step
   Eigen::Vector3d start{0, 0, 0};         // sum_a weights[a] u[vertices[a]] at the start of the step [m]
   double gap = 0;                         // at the start [m], below 0 inside

@@ -260,6 +260,7 @@ std::vector<PairRow> PairSearch::find_pairs() {
     for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy
       std::swap(row.vertices[0], row.vertices[k]);
       std::swap(row.weights[0], row.weights[k]);
+      std::swap(row.sides[0], row.sides[k]);
     }
   }
   std::sort(rows_.begin(), rows_.end(), [](const PairRow& a, const PairRow& b) { return a.slot < b.slot; });

@@ -113,8 +113,8 @@ class PairSearch {
   void keep_guard_of_edge(std::uint32_t edge);
   void add_guards();
   bool guard(std::uint32_t edge, std::uint32_t triangle);
-  bool add_guard(const Passage& passage, const std::array<std::uint32_t, 4>& vertices, double area,
-                 std::initializer_list<std::uint32_t> slots);
+  bool add_guard(const Passage& passage, const std::array<std::uint32_t, 4>& vertices, const PairRow::Sides& sides,
+                 double area, std::initializer_list<std::uint32_t> slots);
   bool press_harder(const PairRow& row);
   double depth_of(const PairRow& row) const;  // at end_ [m]
   bool turned(const PairRow& row) const;

@@ -121,14 +121,15 @@ std::vector<PairStage::Support> PairStage::supports(std::size_t body_count) cons
     if (pair.before <= 0 || pair.bodies[0] == pair.bodies[1]) continue;
     const vec4& across = before_[force_row(pair.slot)];
     const Vector3d force = pair.before * pair.normal + Vector3d(across.x, across.y, across.z);
-    for (const double side : {1.0, -1.0}) {
-      Support& support = supports[pair.bodies[side > 0 ? 0 : 1]];
-      support.force += side * force;
+    for (const std::size_t side : {0, 1}) {
+      const double sign = side == 0 ? 1 : -1;
+      Support& support = supports[pair.bodies[side]];
+      support.force += sign * force;
       ++support.count;
       for (std::size_t k = 0; k < 4; ++k) {
         const std::uint32_t v = pair.vertices[k];
         const Vector3d fall = (falls_[v] ? duration_ * duration_ : 0) * model_.gravity;
-        if (side * pair.weights[k] > 0) support.way += side * pair.weights[k] * (end_[v] - start_[v] - fall);
+        if (pair.sides[k] == side) support.way += sign * pair.weights[k] * (end_[v] - start_[v] - fall);
       }
     }
   }

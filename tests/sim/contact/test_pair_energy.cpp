@@ -24,12 +24,13 @@ struct Touching {
     model.contact.friction = friction;
     test::Random random(5);
     start = 1e-3 * random.vector(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
-    const std::array<std::array<double, 4>, 2> weights{{{1, -0.2, -0.3, -0.5}, {0.4, 0.6, -0.7, -0.3}}};
+    const std::array<std::array<double, 4>, 2> weights{{{1, -0.2, -0.3, -0.5}, {0.4, 0.6, 0.2, -1.2}}};
     for (std::uint32_t k = 0; k < 6; ++k) {
       PairRow& row = rows.emplace_back();
       row.vertices = k % 2 ? std::array<std::uint32_t, 4>{k, k + 1, 8 + k, 9 + k}
                            : std::array<std::uint32_t, 4>{k, 8 + k, 9 + k, 10 + k};
       row.weights = weights[k % 2];
+      row.sides = k % 2 ? PairRow::kOfEdges : PairRow::kOfVertex;
       row.normal = random.vector().normalized();
       for (std::size_t a = 0; a < 4; ++a)
         row.start += row.weights[a] * start.segment<3>(3 * static_cast<Eigen::Index>(row.vertices[a]));
@@ -56,6 +57,39 @@ TEST_CASE("forces between tissue are the gradient of their energy, and the block
     const VectorXd u = touching.start + 2e-3 * random.vector(touching.start.size());
     CAPTURE(friction);
     test::check_derivatives(energy, energy.blocks(u), u);
+  }
+}
+
+TEST_CASE("bodies as wholes feel all pairs between them, also those beside the end of an edge", "[contact]") {
+  const Touching touching(0.5);
+  const PairEnergy energy(touching.model, touching.rows, touching.memory, 0);
+  test::Random random(8);
+  const VectorXd u = touching.start + 2e-3 * random.vector(touching.start.size());
+  VectorXd gradient = VectorXd::Zero(u.size());
+  energy.evaluate(u, gradient);
+  std::vector<std::uint32_t> bodies(touching.model.rest_positions.size(), 0);
+  std::fill(bodies.begin() + 8, bodies.end(), 1);
+  std::vector<BodyContact> contacts;
+  energy.append_to(contacts, bodies, u);
+  REQUIRE(contacts.size() == touching.rows.size());
+  for (const std::uint32_t body : {0u, 1u}) {
+    Vector3d force(0, 0, 0), torque(0, 0, 0), expected(0, 0, 0), expected_torque(0, 0, 0);
+    for (const BodyContact& c : contacts) {
+      const Vector3d pressing = std::max(0.0, c.before + c.stiffness * c.depth) * c.normal;
+      const Vector3d of_pair = (c.bodies[0] == body ? 1 : -1) * (pressing + within(c.tangential, c.bound));
+      force += of_pair;
+      torque += c.places[c.bodies[0] == body ? 0 : 1].cross(of_pair);
+    }
+    for (std::size_t v = 0; v < bodies.size(); ++v) {
+      if (bodies[v] != body) continue;
+      const Vector3d of_vertex = -gradient.segment<3>(3 * static_cast<Eigen::Index>(v));
+      expected += of_vertex;
+      expected_torque +=
+          (touching.model.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v))).cross(of_vertex);
+    }
+    CAPTURE(body, force, expected, torque, expected_torque);
+    CHECK((force - expected).norm() < 1e-12 * expected.norm());
+    CHECK((torque - expected_torque).norm() < 1e-12 * expected_torque.norm());
   }
 }
 
