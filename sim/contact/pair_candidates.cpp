@@ -214,9 +214,7 @@ void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t tr
   row.vertices = {v, t[0], t[1], t[2]};
   row.weights = {1, -weights[0], -weights[1], -weights[2]};
   row.normal = normal;
-  const double softness =
-      softness_[v] + weights[0] * softness_[t[0]] + weights[1] * softness_[t[1]] + weights[2] * softness_[t[2]];
-  row.stiffness = penalty_ * areas_[v] / softness;
+  row.stiffness = penalty_ * areas_[v] / softness_of(row);
   row.slot = slot;
   row.bodies = {body, other};
   row.met = triangle + 1;
@@ -272,9 +270,7 @@ void PairSearch::try_edges(std::uint32_t first, std::uint32_t second) {
   row.weights = {1 - crossing.s, crossing.s, crossing.t - 1, -crossing.t};
   row.sides = PairRow::kOfEdges;
   row.normal = normal;
-  const double softness = (1 - crossing.s) * softness_[a.from] + crossing.s * softness_[a.to] +
-                          (1 - crossing.t) * softness_[b.from] + crossing.t * softness_[b.to];
-  row.stiffness = penalty_ * (a.area + b.area) / 6 / softness;
+  row.stiffness = penalty_ * (a.area + b.area) / 6 / softness_of(row);
   row.bodies = {body, other};
   candidate.distance = *then;
   candidate.first = first;

@@ -85,14 +85,10 @@ bool PairSearch::add_guard(const Passage& passage, const Vertices& vertices, con
   row.weights = passage.weights;
   row.normal = passage.normal;
   row.bodies = {body_of_[vertices[0]], body_of_[vertices[3]]};
-  double softness = 0;
   Vector3d at_rest(0, 0, 0);
-  for (std::size_t k = 0; k < 4; ++k) {
-    softness += std::abs(row.weights[k]) * softness_[vertices[k]];
-    at_rest += row.weights[k] * rest_[vertices[k]];
-  }
+  for (std::size_t k = 0; k < 4; ++k) at_rest += row.weights[k] * rest_[vertices[k]];
   if (row.bodies[0] == row.bodies[1] && at_rest.norm() < 2 * skin_) return false;
-  row.stiffness = penalty_ * area / softness;
+  row.stiffness = penalty_ * area / softness_of(row);
   const auto same = [&](const PairRow& other) { return same_features(other, row); };
   const auto known = std::find_if(rows_.begin(), rows_.end(), same);
   if (known != rows_.end()) {

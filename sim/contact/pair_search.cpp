@@ -207,6 +207,18 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
   return find_pairs();
 }
 
+// Of each side that between its vertices: beyond them it would be below 0 where softnesses differ.
+double PairSearch::softness_of(const PairRow& row) const {
+  std::array<double, 2> softness{}, weight{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t side = row.sides[k];
+    const double share = std::max(0.0, side == 0 ? row.weights[k] : -row.weights[k]);
+    softness[side] += share * softness_[row.vertices[k]];
+    weight[side] += share;
+  }
+  return softness[0] / weight[0] + softness[1] / weight[1];
+}
+
 double PairSearch::kept_share_of(const PairRow& row) const {
   double mobility = 0;  // [1/kg]
   for (std::size_t k = 0; k < 4; ++k)

@@ -106,6 +106,7 @@ class PairSearch {
   std::vector<PairRow> find_pairs();
   void find_set_on_each_other(const Model& model);
   double kept_share_of(const PairRow& row) const;
+  double softness_of(const PairRow& row) const;  // of both sides in a row [m/Pa]
   /// Of the two sides of a pair [m/Pa]. A guard does not know what it met (PairRow::met 0): twice that of its slot.
   double softness_between(const std::vector<double>& softness, std::uint32_t slot, double met) const;
   void keep_guards();
