@@ -18,8 +18,8 @@ double sliding_penalty(double stiffness, double bound, double full_slip);
 /// lambda as a share of the force that the stage before left, where k [N/m] and a mass [kg] meet in a stage of `length`
 /// [s]: all of it where the stage is long beside their oscillation, so that what presses is out of the tool a step
 /// later. A shorter stage follows that oscillation, and a force that grows while the point is still inside adds energy
-/// to it.
-double kept_share(double stiffness, double mass, double length);
+/// to it. `damping` [N s/m] of what the mass is on ties more of it to the point.
+double kept_share(double stiffness, double mass, double damping, double length);
 
 struct ContactBlock {
   std::uint32_t row_vertex, column_vertex;

@@ -57,6 +57,11 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
   }
 }
 
+void ContactEnergy::take_depths(const std::vector<float>& measured, const VectorXd& u) {
+  for (Row& row : rows_)
+    row.rounding += measured[surface_.pieces[row.piece].first_row + row.point] - contact_of(row, u).depth;
+}
+
 Vector3d ContactEnergy::position(const ContactPoint& point, const VectorXd& u) const {
   Vector3d x(0, 0, 0);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -85,7 +90,7 @@ ContactEnergy::Contact ContactEnergy::contact_of(const Row& row, const VectorXd&
   }
   contact.normal = distance.normal;
   contact.curvature = distance.curvature;
-  contact.depth = 0.5 * model_.contact.thickness - distance.distance;
+  contact.depth = 0.5 * model_.contact.thickness - distance.distance + row.rounding;
   contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
   const Vector3d way = contact.x - row.anchor;
   contact.tangential = row.friction - row.sliding * (way - way.dot(row.normal) * row.normal);

@@ -38,6 +38,10 @@ class ContactEnergy {
                 std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {},
                 const std::vector<double>& kept = {}, const std::vector<std::uint32_t>& near = {});
 
+  /// Rows have the depths from now on that another machine, of less precision, `measured` [rows of tools] at `u` [m],
+  /// and change with u from there.
+  void take_depths(const std::vector<float>& measured, const Eigen::VectorXd& u);
+
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count], and to `magnitude` what
   /// times the machine epsilon bounds its rounding [J]: forces times the coordinates that they are computed from.
   double evaluate(const Eigen::VectorXd& u, Eigen::VectorXd& gradient, double* magnitude = nullptr) const;
@@ -70,6 +74,7 @@ class ContactEnergy {
     double pressing;              // lambda
     double bearing;               // N of the step before, by which friction goes
     double sliding;               // c [N/m]
+    double rounding = 0;          // of the depth where it was measured [m]
     std::optional<double> plane;  // offset of the plane across `normal` that stands for the piece (tool_entry.h) [m]
   };
   struct Contact {

@@ -285,14 +285,18 @@ std::vector<double> contact_stiffness(const Model& model, const ContactSurface& 
 
 std::vector<double> kept_shares(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                                 double length) {
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = lumped_masses(model), viscosity = tissue_viscosity(model);
   std::vector<double> shares;
   shares.reserve(surface.points.size());
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
     const ContactPoint& point = surface.points[p];
-    double mass = 0;
-    for (std::size_t k = 0; k < 3; ++k) mass += point.weights[k] * masses[point.vertices[k]];
-    shares.push_back(kept_share(stiffness[p], mass, length));
+    double mass = 0, ratio = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      mass += point.weights[k] * masses[point.vertices[k]];
+      ratio += point.weights[k] * viscosity[point.vertices[k]];
+    }
+    const double damping = ratio * stiffness[p] / (kContactPenalty * model.contact.stiffness);
+    shares.push_back(kept_share(stiffness[p], mass, damping, length));
   }
   return shares;
 }

@@ -79,6 +79,7 @@ void PairSearch::materials_changed(const Model& model, std::span<ContactForce> m
   if (empty()) return;
   penalty_ = 2 * kContactPenalty * model.contact.stiffness;  // of two sides in a row
   masses_ = lumped_masses(model);
+  viscosity_ = tissue_viscosity(model);
   const std::vector<double> before = std::exchange(softness_, tissue_stiffness(model, areas_));
   for (const std::uint32_t v : vertices_) softness_[v] = 1 / softness_[v];
   for (std::uint32_t slot = 0; slot < slot_count_ && met_row(slot) < memory.size(); ++slot) {
@@ -220,10 +221,14 @@ double PairSearch::softness_of(const PairRow& row) const {
 }
 
 double PairSearch::kept_share_of(const PairRow& row) const {
-  double mobility = 0;  // [1/kg]
-  for (std::size_t k = 0; k < 4; ++k)
-    if (!held_[row.vertices[k]]) mobility += row.weights[k] * row.weights[k] / masses_[row.vertices[k]];
-  return kept_share(row.stiffness, 1 / mobility, length_);
+  double mobility = 0, ratio = 0;  // [1/kg], [s]
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t v = row.vertices[k];
+    if (held_[v]) continue;
+    mobility += row.weights[k] * row.weights[k] / masses_[v];
+    ratio = std::max(ratio, viscosity_[v]);
+  }
+  return kept_share(row.stiffness, 1 / mobility, ratio * row.stiffness / penalty_, length_);
 }
 
 std::vector<PairRow> PairSearch::find_again() {

@@ -171,7 +171,8 @@ class PairSearch {
   std::vector<std::uint32_t> vertices_;              // of the surface, ascending
   std::vector<std::uint32_t> body_of_;               // [vertex_count]
   std::vector<std::array<std::uint32_t, 3>> sides_;  // [triangle] its edges
-  std::vector<double> areas_, softness_;             // [vertex_count]; softness: l / (lambda + 2 mu) [m/Pa]
+  // [vertex_count]; softness: l / (lambda + 2 mu) [m/Pa]; viscosity: over stiffness [s]
+  std::vector<double> areas_, softness_, viscosity_;
   struct BodyTree {
     BoxTree tree;
     std::vector<std::uint32_t> triangles;

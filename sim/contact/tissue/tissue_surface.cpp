@@ -69,4 +69,22 @@ std::vector<double> tissue_stiffness(const Model& model, const std::vector<doubl
   return stiffness;
 }
 
+std::vector<double> tissue_viscosity(const Model& model) {
+  std::vector<double> stiffness(model.rest_positions.size(), 0), viscosity(stiffness.size(), 0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    const Tet& tet = model.tets[t];
+    const auto& x = model.rest_positions;
+    const Material& material = model.materials[model.tet_material[t]];
+    const double share =
+        signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) * (material.lame_lambda() + 2 * material.lame_mu());
+    for (const std::uint32_t v : model.element(t)) {
+      stiffness[v] += share;
+      viscosity[v] += share * material.damping;
+    }
+  }
+  for (std::size_t v = 0; v < viscosity.size(); ++v)
+    if (stiffness[v] > 0) viscosity[v] /= stiffness[v];
+  return viscosity;
+}
+
 }  // namespace fascia

@@ -29,5 +29,7 @@ std::vector<double> tissue_areas(const Model& model, const std::vector<Triangle>
 /// [vertex_count] (lambda + 2 mu) / l [Pa/m] of the tissue below each vertex of the surface, with the height
 /// l = 2 V / A of a cell; 0 inside.
 std::vector<double> tissue_stiffness(const Model& model, const std::vector<double>& areas);
+/// [vertex_count] viscosity over stiffness [s] of the tissue at each vertex.
+std::vector<double> tissue_viscosity(const Model& model);
 
 }  // namespace fascia

@@ -194,6 +194,12 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
   return passes;
 }
 
+EnergyTerm::Passes ContactTerm::depths(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  if (surface_.empty()) return {};
+  return {over_near(programs, "sim/contact/contact_depth.comp",
+                    {{"displacement", &buffers.displacement}, {"contact_depth", &depths_}})};
+}
+
 EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   return {over_near(programs, "sim/contact/contact_finish.comp",
                     {{"displacement", &buffers.displacement},

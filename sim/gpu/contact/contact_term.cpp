@@ -137,6 +137,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   list_ = gl::Buffer("contact_list", none);
   rows_ = gl::Buffer("contact_row", std::vector<vec4>(rows));
   normals_ = gl::Buffer("contact_normal", std::vector<vec4>(rows));
+  depths_ = gl::Buffer("contact_depth", std::vector<float>(rows));
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   if (loads == gl::LoadPath::texel)
@@ -237,7 +238,11 @@ void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, g
   downloads.add(buffers.start_of_stage(), from.size() * sizeof(vec4), from.data());
   downloads.add(buffers.predicted, aim.size() * sizeof(vec4), aim.data());
   downloads.add(buffers.contact_before, left.size() * sizeof(vec4), left.data());
-  if (!near.empty()) downloads.add(near_, near.size() * sizeof(std::uint32_t), near.data());
+  std::vector<float> depths(surface_.row_count);
+  if (!near.empty()) {
+    downloads.add(near_, near.size() * sizeof(std::uint32_t), near.data());
+    downloads.add(depths_, depths.size() * sizeof(float), depths.data());
+  }
   downloads.run();
   ContactMemory before = SimBuffers::contact_forces(left);
   for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;
@@ -245,7 +250,8 @@ void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, g
   std::vector<Vector3d> u = buffers.vectors_of(at);
   const Eigen::VectorXd start =
       Eigen::Map<const Eigen::VectorXd>(started.data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
-  const ContactEnergy energy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_, near);
+  ContactEnergy energy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_, near);
+  if (!near.empty()) energy.take_depths(depths, Eigen::Map<const Eigen::VectorXd>(u.data()->data(), start.size()));
   if (motions.move(&energy, buffers.vectors_of(aim), length_, u)) buffers.upload_displacements(u, at);
 }
 

@@ -36,6 +36,8 @@ class ContactTerm : public EnergyTerm {
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
+  /// The depths of points in tools, before move_bodies().
+  Passes depths(gl::ProgramCache& programs, const SimBuffers& buffers) const;
   /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes. Waits for the
   /// GPU.
   void move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) const;
@@ -134,7 +136,7 @@ class ContactTerm : public EnergyTerm {
   std::vector<std::size_t> first_nodes_;              // [tool] in grids_
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
-  gl::Buffer rows_, normals_, forces_, blocks_, loads_;
+  gl::Buffer rows_, normals_, depths_, forces_, blocks_, loads_;
   gl::Buffer sums_;                        // of contact_gather.comp; absent on GPUs
   gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<double> stiffness_, kept_;   // [point] of the penalty on depth [N/m]; kept_shares() of the stage

@@ -59,10 +59,12 @@ TEST_CASE("forces of contact are the gradient of its energy, and its blocks thei
 
 TEST_CASE("a stage that is short beside the oscillation of penalty and mass keeps no multiplier", "[contact]") {
   const double stiffness = 1e4, mass = 0.01;  // 1,000 rad/s
-  CHECK(kept_share(stiffness, mass, 0.001) == 0);
-  CHECK(kept_share(stiffness, mass, 0.00225) == Approx(0.5));
-  CHECK(kept_share(stiffness, mass, 0.004) == 1);
-  CHECK(kept_share(stiffness, mass, std::numeric_limits<double>::infinity()) == 1);
+  CHECK(kept_share(stiffness, mass, 0, 0.001) == 0);
+  CHECK(kept_share(stiffness, mass, 0, 0.00225) == Approx(0.5));
+  CHECK(kept_share(stiffness, mass, 0, 0.004) == 1);
+  CHECK(kept_share(stiffness, mass, 0, std::numeric_limits<double>::infinity()) == 1);
+  CHECK(kept_share(stiffness, mass, 200, 0.004) == 0);  // a damper that ties what is far to the point
+  CHECK(kept_share(stiffness, mass, 200, 0.04) == 1);
   const Pressed pressed(0.5);
   for (const double share : kept_shares(pressed.model, pressed.surface, pressed.stiffness, 1.0 / 60)) CHECK(share == 1);
   const std::vector<double> half(pressed.surface.points.size(), 0.5);
