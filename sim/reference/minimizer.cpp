@@ -195,11 +195,16 @@ NewtonReport Minimizer::descend(const Potential& potential, double tolerance, co
     if (!reuse) factorize(potential, u);
     const VectorXd direction = -solve(value.gradient);
     double step = 0;
-    if (!line_search(potential, direction, u, value, step)) {
-      if (reuse) {
-        reuse = false;
-        continue;
-      }
+    const VectorXd before = reuse ? u : VectorXd();
+    const bool found = line_search(potential, direction, u, value, step);
+    if (reuse && (!found || value.gradient.norm() > residual)) {
+      // Near the solution energies differ by rounding alone, and an old factorization may lead away from it.
+      u = before;
+      value = evaluate(potential, u);
+      reuse = false;
+      continue;
+    }
+    if (!found) {
       report.converged = residual <= rounding_;
       return report;
     }
