@@ -1,6 +1,7 @@
 #include "base/json/json_option.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "base/error.h"
 #include "base/json/json_document.h"
@@ -35,11 +36,21 @@ std::vector<std::pair<std::string, std::string>> option_parts(std::string_view t
   return result;
 }
 
+std::optional<double> number_in(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  if (text.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return std::nullopt;
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
 json scalar_of(const std::string& text) {
   try {
     const json value = parse_json(text, "");
     if (value.is_primitive()) return value;
   } catch (const Error&) {
+    if (const std::optional<double> number = number_in(text)) return *number;
   }
   return text;
 }

@@ -1,6 +1,7 @@
 // Options whose text is a small document: "at=0.1,0.05,0;translate=0,0.1,0;start=0.2".
 #pragma once
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,8 @@ std::vector<std::string> parts_of(std::string_view text, char separator);
 std::vector<std::pair<std::string, std::string>> option_parts(std::string_view text, const std::string& option,
                                                               const std::string& example);
 
+/// Numbers as people write them, also those that JSON does not know: .5, +5 and 5.
+std::optional<double> number_in(std::string_view text);
 /// A number, true, false, or the text itself.
 nlohmann::json scalar_of(const std::string& text);
 /// The scalars between commas.

@@ -73,19 +73,29 @@ class StanceChoice {
     if (const auto axis = widest()) return standing(*axis);
     return resting();
   }
+  /// With an axis that is stated: held by the side that a guess of it would hold.
+  Stance choose(UpAxis up) const {
+    const auto axis = static_cast<std::size_t>(up) % 3;
+    const bool turned = static_cast<std::size_t>(up) >= 3;
+    const FlatSide &low = turned ? sides_.high[axis] : sides_.low[axis],
+                   &high = turned ? sides_.low[axis] : sides_.high[axis];
+    if (stands(low, kTruly) || stands_wide(low)) return {up, Hold::foot, "", low.depth};
+    if (hangs(low, high)) return {up, Hold::top, "", high.depth};
+    if (stands(low, kHalfway)) return {up, Hold::foot, "", low.depth};
+    return {up, Hold::underside, ""};
+  }
 
  private:
-  bool stands(std::size_t axis, double share) const {
-    return sides_.low[axis].share >= share && sides_.low[axis].stability >= kStable;
-  }
+  static bool stands(const FlatSide& low, double share) { return low.share >= share && low.stability >= kStable; }
+  bool stands(std::size_t axis, double share) const { return stands(sides_.low[axis], share); }
   /// On legs that are far apart.
-  bool stands_wide(std::size_t axis) const {
-    return sides_.low[axis].share >= kFeet && sides_.low[axis].stability >= kWide;
-  }
+  static bool stands_wide(const FlatSide& low) { return low.share >= kFeet && low.stability >= kWide; }
+  bool stands_wide(std::size_t axis) const { return stands_wide(sides_.low[axis]); }
   /// Flat at the top, with nothing below to stand on.
-  bool hangs(std::size_t axis) const {
-    return sides_.high[axis].share >= kTruly && sides_.low[axis].share < kTruly && !stands(axis, kFeet);
+  static bool hangs(const FlatSide& low, const FlatSide& high) {
+    return high.share >= kTruly && low.share < kTruly && !stands(low, kFeet);
   }
+  bool hangs(std::size_t axis) const { return hangs(sides_.low[axis], sides_.high[axis]); }
 
   /// The axis with the largest flat side on which the mesh stands, or on which it would stand turned over.
   std::optional<std::size_t> best(double share) const {
@@ -255,23 +265,16 @@ BareMeshPlan plan_bare_mesh(const std::filesystem::path& file, const TetMesh& me
   plan.law = open.law ? kTissueLaw : body.material.model;
   const FlatSides sides = flat_sides(mesh.positions, tets);
   choose_unit((extent > 0 ? extent : sides.size.maxCoeff()) * body.transform.scale, open.unit, plan);
-  Hold hold = Hold::underside;
-  double depth = 0;
-  if (open.up) {
-    const Stance stance = StanceChoice(sides, usual_up(file, plan.unit)).choose();
-    plan.up = stance.up;
-    plan.up_reason = stance.reason;
-    hold = stance.hold;
-    depth = stance.depth;
-  } else {
-    plan.up_reason = "as given";
-  }
+  const StanceChoice choice(sides, usual_up(file, plan.unit));
+  const Stance stance = open.up ? choice.choose() : choice.choose(body.up);
+  plan.up = stance.up;
+  plan.up_reason = open.up ? stance.reason : "as given";
   Body placed = body;
   placed.unit = plan.unit;
   placed.up = plan.up;
   const SupportChoice support(mesh, tets, placed);
   if (open.supports)
-    support.choose(hold, depth, plan);
+    support.choose(stance.hold, stance.depth, plan);
   else
     plan.support_reason = body.fixed.empty() && body.prescribed.empty() ? "free as given" : "held as given";
   placed.fixed = plan.fixed;

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/json/json_document.h"
+#include "base/json/json_option.h"
 #include "base/suggest.h"
 #include "sim/material/tissue_looks.h"
 #include "sim/scene/grab_text.h"
@@ -162,16 +163,6 @@ void clear_preset_values(json& document, const std::vector<std::string>& segment
 void append_to(json& document, const char* list, const char* option, json element, DocumentOrigin& origin) {
   const std::size_t count = document.is_object() && document.contains(list) ? document[list].size() : 0;
   apply(document, option, {list, std::to_string(count)}, std::move(element), origin);
-}
-
-/// Numbers that JSON does not know: .5, +5 and 5.
-std::optional<double> number_in(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  if (text.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return std::nullopt;
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 json value_of(const std::string& text) {

@@ -200,6 +200,31 @@ TEST_CASE("what stands on a flat side behind a rim is held up to that side") {
   CHECK(support_of(plan).share == Approx(0.02 + 0.03 / 0.43).epsilon(1e-9));
 }
 
+TEST_CASE("an axis that is stated is held as one that is guessed") {
+  TetMesh box = make_box(8, 8, 8, {0.4, 0.4, 0.4});
+  for (Eigen::Vector3d& p : box.positions)
+    if (std::min({p.x(), p.z(), 0.4 - p.x(), 0.4 - p.z()}) < 1e-9 && p.y() < 1e-9) p.y() -= 0.03;
+  const TetMesh cone = make_cone(50, 100);  // flat at one end
+  for (const TetMesh& mesh : {box, cone}) {
+    const BareMeshPlan guessed = plan_of(mesh);
+    Unsettled open;
+    open.up = false;
+    Body body;
+    body.up = guessed.up;
+    const BareMeshPlan stated = plan_of(mesh, "mesh.vtk", open, body);
+    CAPTURE(name_of(guessed.up), guessed.support_reason, stated.support_reason);
+    CHECK(stated.up_reason == "as given");
+    CHECK(stated.fixed == guessed.fixed);
+    CHECK(stated.support_reason == guessed.support_reason);
+    CHECK(stated.young_modulus == guessed.young_modulus);
+  }
+  Unsettled open;
+  open.up = false;
+  Body body;
+  body.up = UpAxis::minus_y;
+  CHECK(support_of(plan_of(box, "mesh.vtk", open, body)).share == Approx(0.02));  // the other end, without a rim
+}
+
 TEST_CASE("no stiffness is guessed for a body that turns about what holds it") {
   const TetMesh box = make_box(3, 3, 3, {0.1, 0.1, 0.1});
   Unsettled open;

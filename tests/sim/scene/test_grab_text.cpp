@@ -15,6 +15,7 @@ TEST_CASE("keys and values of a grab's text are those of its element in a scene 
                         "radius": 0.02})"));
   CHECK(grab_document("smooth=true;push=-1e-3;note=hello") ==
         json::parse(R"({"smooth": true, "push": -0.001, "note": "hello"})"));
+  CHECK(grab_document("at=.1,+5,5.;radius=-.5e-3") == json::parse(R"({"at": [0.1, 5, 5], "radius": -0.5e-3})"));
   CHECK(grab_document("") == json::object());
   CHECK(grab_document(" ; at=1,2,3;; start=1; ") == json::parse(R"({"at": [1, 2, 3], "start": 1})"));
 }
