@@ -112,7 +112,7 @@ void draw_help(WindowState& state) {
   ImGui::End();
 }
 
-void draw_hints(const Hints& hints, const Room& room) {
+void draw_hints(const Hints& hints, bool in_hand, const Room& room) {
   if (room.width() < ui::px(330) || room.bottom < ui::px(400)) return;  // they do not fit
   const float middle = room.middle(), line = ui::px(36);
   float below = room.bottom - ui::px(40);
@@ -123,7 +123,7 @@ void draw_hints(const Hints& hints, const Room& room) {
   if (hints.wanted("help")) say("F1: all keys, F2: examples", ui::kDim);
   if (hints.wanted("orbit")) say("Drag beside it to turn the view, wheel: zoom", ui::kText);
   if (hints.wanted("grab"))
-    say("Drag the tissue to pull at it", ui::kText);
+    say(in_hand ? "Drag to move the instrument, right drag to turn it" : "Drag the tissue to pull at it", ui::kText);
   else if (hints.wanted("tune"))
     say("Move a slider: the tissue changes at once", ui::kText);
 }

@@ -70,7 +70,8 @@ struct Room {
 Room room_beside_panels(const WindowState& state);
 
 /// Lines over the picture: the actions of the mouse (bottom); a notice of slow or paused time (top).
-void draw_hints(const Hints& hints, const Room& room);
+/// `in_hand`: a drag moves an instrument.
+void draw_hints(const Hints& hints, bool in_hand, const Room& room);
 /// Offers to restore the scene of a window that crashed; `scene` is its name.
 void draw_recovery(const std::string& scene, const Room& room, Requests& requests);
 void draw_notice(const WindowState& state, const Room& room);

@@ -55,7 +55,7 @@ void WindowPanels::draw(Requests& requests) {
   if (state.show_panels) {
     draw_panels({sides_.tuned(), state, requests});
     if (!scripted_ && !shown_alone && !sides_.split())
-      draw_hints(hints_, room);  // a comparison shows its figures there
+      draw_hints(hints_, state.instruments.picked.has_value(), room);  // a comparison shows its figures there
   }
   const Simulation& simulation = stage_.simulation();
   if (gallery_.draw(state, room.left, requests))
