@@ -44,6 +44,43 @@ TEST_CASE("pairs of two boxes have gaps along outward normals, and weights that 
   }
 }
 
+TEST_CASE("pairs beside the ends of edges are stiff where softnesses differ, and say which sides vertices are on",
+          "[contact]") {
+  Model lower = box(), upper = box(3);
+  for (Model* model : {&lower, &upper}) {
+    model->materials.push_back(test::soft(1e7));
+    model->material_names.push_back("hard");
+    for (std::size_t t = 0; t < model->tets.size(); ++t) model->tet_material[t] = t % 3 == 0;
+  }
+  // Turned, so that edges cross, and pressed flat by what every pair remembers
+  for (Vector3d& x : upper.rest_positions) x = Eigen::AngleAxisd(0.4, Vector3d::UnitY()) * x;
+  std::size_t beside = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Model model = test::beside(lower, test::moved(upper, {0.02 + 0.005 * k, kSize + 0.003, 0.03}), "upper");
+    PairSearch search(model);
+    ContactMemory memory(search.row_count());
+    for (std::uint32_t slot = 0; slot < search.slot_count(); ++slot) memory[force_row(slot)].normal = 1;
+    for (const PairRow& row : search.find(nowhere(model), nowhere(model), memory)) {
+      const auto edges = std::count(row.sides.begin(), row.sides.end(), 1) == 2;
+      std::array<double, 2> sums{};
+      bool outside = false;
+      for (std::size_t v = 0; v < 4; ++v) {
+        sums[row.sides[v]] += row.weights[v];
+        outside |= (row.sides[v] == 0) != (row.weights[v] > 0) && row.weights[v] != 0;
+        const bool of_upper = row.vertices[v] >= model.bodies[1].vertex_begin;
+        CHECK(row.bodies[row.sides[v]] == (of_upper ? 1u : 0u));
+      }
+      CAPTURE(k, row.slot, edges, row.stiffness, row.kept, row.weights);
+      CHECK(sums[0] == Approx(1));
+      CHECK(sums[1] == Approx(-1));
+      CHECK(row.stiffness > 0);
+      CHECK((row.kept >= 0 && row.kept <= 1));
+      beside += outside;
+    }
+  }
+  CHECK(beside > 10);
+}
+
 TEST_CASE("what is far apart has no pairs, and what will meet within the step has them", "[contact]") {
   const Model model = test::beside(box(), test::moved(box(3), {0.02, kSize + 0.15, 0.01}), "upper");
   PairSearch search(model);
