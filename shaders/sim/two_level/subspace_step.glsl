@@ -8,6 +8,9 @@
 // tissue, whose energy is of fourth order in the displacement). A step without a descending slope is discarded
 // entirely, and with FINAL every step that raised the objective. Unless `remembers` is set, and in the first iteration,
 // the span is that of z_f and z_c.
+// In contact, with OBJECTIVES_BEFORE, a step may raise the objective as long as that stays below the highest of the last
+// three (Grippo, Lampariello, Lucidi 1986): what begins to press is not in the curvature, so that many steps raise it a
+// little, and the next one, which knows what presses, finds more than a part of them would.
 // For kernels that have declared `dot_partials`: [3 * partials] of vertices, then [curvature_count] of tets.
 #include "common/finite.glsl"
 #include "sim/two_level/slice_sum.glsl"
@@ -56,11 +59,14 @@ void solve_subspace_step(uint lane) {
 
   vec3 step = vec3(0.0), last = vec3(0.0);
   float objective = sums[0].w;
-  float before = subspace_state[SUBSPACE_OBJECTIVE];
+  float before = subspace_state[SUBSPACE_OBJECTIVE], highest = before;
+#if defined OBJECTIVES_BEFORE && !FINAL
+  if (remembers != 0u) highest = max(before, max(subspace_state[SUBSPACE_EARLIER], subspace_state[SUBSPACE_EARLIER + 1u]));
+#endif
   // Any step from a start with an overflowing objective is accepted; an empty step cannot raise the objective, whatever
   // the rounding.
   bool accepted = is_finite(objective) &&
-                  (!is_finite(before) || objective <= before + OBJECTIVE_ROUNDING * (abs(before) + abs(objective)));
+                  (!is_finite(before) || objective <= highest + OBJECTIVE_ROUNDING * (abs(before) + abs(objective)));
 #if !FINAL
   if (is_finite(objective) && sums[1].w == 0.0) accepted = true;
 #endif
@@ -68,6 +74,11 @@ void solve_subspace_step(uint lane) {
   if (!accepted) step = vec3(0.0, 0.0, -1.0);
 #else
   if (accepted) {
+#ifdef OBJECTIVES_BEFORE
+    float earlier = is_finite(before) ? before : objective;
+    subspace_state[SUBSPACE_EARLIER + 1u] = remembers != 0u ? subspace_state[SUBSPACE_EARLIER] : earlier;
+    subspace_state[SUBSPACE_EARLIER] = earlier;
+#endif
     subspace_state[SUBSPACE_OBJECTIVE] = objective;
     vec3 slope = sums[0].xyz;
     float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;

@@ -246,7 +246,7 @@ bool BodyMotions::move(const ContactEnergy* contact, const std::vector<Vector3d>
                        std::vector<Vector3d>& u) const {
   constexpr int kMostPasses = 4;        // turns are not small
   constexpr double kLargestTurn = 0.5;  // [rad] in a pass
-  const double least = 1e-9 * size_;    // [m] that matters in single precision
+  const double least = 1e-12 * size_;   // [m] of displacements, which are finer than places
   bool moves = false;
   for (int pass = 0; pass < kMostPasses; ++pass) {
     const std::vector<BodyInertia> inertia = inertia_of(predicted, u);

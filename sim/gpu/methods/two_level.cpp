@@ -6,7 +6,7 @@ namespace fascia {
 namespace {
 
 using shared::vec4;
-constexpr std::size_t kSubspaceFloats = 8;  // shaders/sim/two_level/subspace_state.glsl
+constexpr std::size_t kSubspaceFloats = 8, kInContact = 10;  // shaders/sim/two_level/subspace_state.glsl
 
 }  // namespace
 
@@ -57,6 +57,8 @@ void TwoLevelMethod::prepare(const Recording& r) {
   const std::size_t bytes =
       sizeof(vec4) * (3 * vertices_.partials + pairs_.partials + quadratic_.partials + term_partials(r));
   if (partials_.bytes() != bytes) partials_ = gl::Buffer("subspace_partials", bytes);
+  const std::size_t state_bytes = sizeof(float) * (r.has_blocks() ? kInContact : kSubspaceFloats);
+  if (state_.bytes() != state_bytes) state_ = gl::Buffer("subspace_state", state_bytes);
   const auto keep = [&](gl::Buffer& buffer, const char* name, std::uint32_t count) {
     if (!r.deferred || count == 0) buffer = {};
     if (!r.deferred || count == 0 || buffer) return;
@@ -291,6 +293,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
+    if (r.has_blocks() && last_group_ends(r)) curvature_defines.emplace_back("OBJECTIVES_BEFORE", "1");
     std::uint32_t next = 3 * vertices_.partials + pairs_.partials + quadratic_.partials;
     for (const EnergyTerm* term : r.terms) {
       if (!term->acts()) continue;
@@ -306,9 +309,11 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
                    r, quadratic, curvature_defines, curvature,
                    last_group_ends(r) && quadratic == quadratic_ends ? constants : gl::ComputePass::Constants{}));
   }
+  gl::Defines solve_defines{{"FINAL", last ? "1" : "0"}};
+  if (r.has_blocks() && !last) solve_defines.emplace_back("OBJECTIVES_BEFORE", "1");
   if (!last_group_ends(r))
     passes
-        .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", {{"FINAL", last ? "1" : "0"}}),
+        .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", solve_defines),
                       gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
                       std::move(constants))
         .loops(vertices_.partials + pairs_.partials + quadratic_.partials + of_terms + 2 * Reduction::kGroup);
