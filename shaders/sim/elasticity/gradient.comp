@@ -1,5 +1,6 @@
 // Gradient g = M (u - u~) + h^2 dU/du of the step's objective at every vertex, including external energies, 0 where
-// constrained, with the vertex's share of the objective in w. After elastic_force. A gather in fixed order, so runs
+// constrained, with the vertex's share of the objective in w; FROM_START: less its kinetic part at the start of the stage,
+// where bodies may rest in contact. After elastic_force. A gather in fixed order, so runs
 // repeat bit for bit. With MOVES it applies the step that elastic_force has computed with (feature_step.glsl).
 #include "common/io.glsl"
 #include "common/step.glsl"
@@ -9,6 +10,9 @@ INPUT_FLOAT(Mass, mass)                 // [vertex_count] the vertices' own mass
 INPUT_UINT(SlotBegin, slot_begin)       // [vertex_count + 1]
 INPUT_VEC4(Correction, correction)      // [slots] from elastic_force
 #include "sim/energy/terms.glsl"
+#if FROM_START
+INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start of the stage [m]
+#endif
 #if MOVES
 #include "sim/two_level/subspace_move.glsl"
 INOUT(vec4, Iterate, iterate)                      // [vertex_count] u [m]
@@ -40,5 +44,10 @@ void main() {
   float m = FETCH1(mass, i);
   vec4 more = external_gradient(i, u, SUBSTEP * SUBSTEP);
   vec4 g = sum + vec4(m * d + more.xyz, 0.5 * (m * dot(d, d) + more.w));
+#if FROM_START
+  // At rest (u_n - u~)^T M (u_n - u~) is most of the objective, and its rounding more than what elastic energy changes by.
+  vec3 way = u - FETCH(start_displacement, i).xyz;
+  g.w = sum.w + 0.5 * (m * dot(way, 2.0 * d - way) + more.w);
+#endif
   gradient[i] = predicted_i.w > 0.0 ? g : vec4(0.0, 0.0, 0.0, sum.w);
 }

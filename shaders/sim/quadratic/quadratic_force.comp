@@ -1,6 +1,7 @@
 // Elastic (and viscous) force of every quadratic tet on its vertices, and its energy, as elastic_force does for linear
 // ones, with the inertia of what moves at its centroid. Writes the slots that gradient gathers: xyz l^2 dE/du + M (u - u~)
-// [kg m], w of the first corner: l^2 E + 1/2 (u - u~)^T M (u - u~) [kg m^2].
+// [kg m], w of the first corner: l^2 E + 1/2 (u - u~)^T M (u - u~) [kg m^2]; FROM_START: less the latter at the start of the
+// stage, as in gradient.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/quadratic_slots.glsl"
@@ -11,6 +12,9 @@ COMPUTE_1D
 INPUT_VEC4(DisplacementLow, displacement_low)  // [vertex_count] the part of u that float32 cannot represent [m]
 #endif
 INPUT_VEC4(PredictedCentroid, predicted_centroid)  // [quadratic_count] xyz u~ [m], w mass [kg]
+#if FROM_START
+INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start of the stage [m]
+#endif
 
 PointGradients point_gradients(uint e, Tet tet) {
   uvec4 m = FETCH(mid_edges, 2u * e);
@@ -29,6 +33,16 @@ vec4 lag_of_centroid(uint e) {
              (displacement_of(m.w) - center.xyz) + (displacement_of(n.x) - center.xyz) + (displacement_of(n.y) - center.xyz);
   return vec4(sum / 6.0, center.w);
 }
+
+#if FROM_START
+// The way of the centroid in the stage so far [m].
+vec3 way_of_centroid(uint e) {
+  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
+#define WAY(v) (displacement_of(v) - FETCH(start_displacement, v).xyz)
+  return (WAY(m.x) + WAY(m.y) + WAY(m.z) + WAY(m.w) + WAY(n.x) + WAY(n.y)) / 6.0;
+}
+#endif
 
 void main() {
   ITEM_OR_RETURN(e)
@@ -51,8 +65,15 @@ void main() {
   vec4 lag = vec4(0.0);
   APART(tet, lag = lag_of_centroid(e);)
   vec3 inertia = lag.w / 6.0 * lag.xyz;  // share of a middle
+#if FROM_START
+  vec3 way = vec3(0.0);
+  APART(tet, way = way_of_centroid(e);)
+  float kinetic = 0.5 * lag.w * dot(way, 2.0 * lag.xyz - way);
+#else
+  float kinetic = 3.0 * dot(inertia, lag.xyz);
+#endif
   uvec4 slot = FETCH(quadratic_slots, 3u * e);
-  correction[slot.x] = vec4(scale * f.corner[0], scale * energy + 3.0 * dot(inertia, lag.xyz));
+  correction[slot.x] = vec4(scale * f.corner[0], scale * energy + kinetic);
   STORE3(correction[slot.y], scale * f.corner[1])
   STORE3(correction[slot.z], scale * f.corner[2])
   STORE3(correction[slot.w], scale * f.corner[3])

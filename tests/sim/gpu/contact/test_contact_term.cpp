@@ -172,12 +172,9 @@ TEST_CASE("steps without contact before and after a touch are those with contact
     if (touched.empty() || touched.back() != solver.last_had_contact()) touched.push_back(solver.last_had_contact());
     const State a = solver.download(), b = always.download();
     CAPTURE(i);
-    if (gl::device().software) {
-      REQUIRE(a.displacement == b.displacement);
-      REQUIRE(a.velocity == b.velocity);
-    }
-    // Those with contact have other kernels, whose products the compilers of GPUs contract otherwise.
-    REQUIRE(farthest(a, b) <= 1e-6);
+    // Those with contact sum the objective from the start of the stage, with other roundings, and may raise it. The
+    // compilers of GPUs contract products of their kernels otherwise, too.
+    REQUIRE(farthest(a, b) <= (gl::device().software ? 1e-7 : 1e-6));
   }
   CHECK(touched == std::vector<bool>{false, true, false});
   for (const Vector3d& force : solver.contact_forces()) REQUIRE(force == Vector3d(0, 0, 0));

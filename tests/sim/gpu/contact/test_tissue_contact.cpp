@@ -163,12 +163,13 @@ TEST_CASE("a heavy body that falls on a hanging one has the energy of exact step
   }
 }
 
-// It lands on an edge and tips: what presses changes in every step. 4 % of the way of a step; with 20 iterations 0.7 %
-// on llvmpipe, and once 1.1 % on an H100, whose other rounding lets other points touch first.
+// It lands on an edge and tips: what presses changes in every step. Of 18 starts like this one ten iterations are 4 to
+// 11 % of the way of a step off, in the mean 7.5 %. With 20 iterations this one is 0.5 %, and was once 1.1 % on an
+// H100, whose other rounding lets other points touch first.
 TEST_CASE("a cube lands on a slope as in the reference", "[gpu][contact]") {
   test::Gpu gpu;
   const auto [iterations, largest_error] =
-      GENERATE(std::pair(10, 0.08), std::pair(20, gl::device().software ? 0.01 : 0.02));
+      GENERATE(std::pair(10, 0.12), std::pair(20, gl::device().software ? 0.01 : 0.02));
   Model model = cube(0.2, 6, soft_tissue(2e4));
   for (Vector3d& v : model.initial_velocity) v = {0.3, -1.5, 0};
   model.tools = {tool("ground", PlaneShape{{0, -0.012, 0}, {0.1, 1, 0}}, 0.5)};
