@@ -1,7 +1,6 @@
 #include "sim/coarse/coarse_contact.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +32,37 @@ MatrixXf inverse_of(const MatrixXf& matrix) {
   }
   inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
   return inverse;
+}
+
+// Whether the stiffness that a compliance leaves of another is between nothing and that, as far as its diagonal says.
+bool is_part_of(const MatrixXf& left, const MatrixXf& stiffness) {
+  constexpr float kRounding = 1e-2f;
+  for (Index i = 0; i < left.rows(); ++i)
+    if (!(left(i, i) >= -kRounding * stiffness(i, i) && left(i, i) <= (1 + kRounding) * stiffness(i, i))) return false;
+  return true;
+}
+
+// L (1 + L^T G L)^-1 L^T with C = L L^T, which is between nothing and C whatever the conditions of both. Roundings may
+// make G indefinite, which a growing multiple of the identity hides.
+MatrixXf push_back_slowly(const MatrixXf& stiffness, const MatrixXf& compliance) {
+  using Eigen::MatrixXd;
+  const Eigen::LDLT<MatrixXd> factor(stiffness.cast<double>());
+  const MatrixXd lower = factor.matrixL();
+  const MatrixXd root =
+      factor.transpositionsP().transpose() * MatrixXd(lower * factor.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal());
+  MatrixXd sum = root.transpose() * compliance.cast<double>() * root;
+  const double largest = sum.diagonal().maxCoeff();
+  sum.diagonal().array() += 1;
+  for (double shift = 1e-7 * largest;; shift *= 10) {
+    const Eigen::LLT<MatrixXd> inner(sum);
+    if (inner.info() != Eigen::Success && std::isfinite(shift)) {
+      sum.diagonal().array() += shift;
+      continue;
+    }
+    MatrixXd part = root.transpose();
+    inner.matrixL().solveInPlace(part);
+    return (part.transpose() * part).cast<float>();
+  }
 }
 
 /// The nodes that feel most of the stiffness, ascending.
@@ -148,12 +178,13 @@ MatrixXf push_back(const MatrixXf& stiffness, const NodeCompliance& compliance) 
       MatrixXf part = compliance.inverse, result = compliance.inverse;
       factor.matrixL().solveInPlace(part);
       result.selfadjointView<Eigen::Lower>().rankUpdate(part.transpose(), -1);
-      result.triangularView<Eigen::StrictlyUpper>() = result.transpose();
-      return result;
+      if (is_part_of(result, stiffness)) {
+        result.triangularView<Eigen::StrictlyUpper>() = result.transpose();
+        return result;
+      }
     }
   }
-  const MatrixXf both = MatrixXf::Identity(size, size) + stiffness * compliance.matrix;
-  return both.partialPivLu().solve(stiffness);
+  return push_back_slowly(stiffness, compliance.matrix);
 }
 
 bool alike(const TouchedNodes& a, const TouchedNodes& b, const std::function<float(Index)>& compliance) {

@@ -18,6 +18,7 @@ using Vertices = std::array<std::uint32_t, 4>;
 // Of the skin: pairs whose gap is less at the end, and that were pressed in by more, press harder in the next solution.
 constexpr double kLeastGap = 0.25;
 constexpr double kPressedIn = 0.2;
+constexpr double kTouching = 1e-3;
 // Cosines: of the angle by which the normal at an edge turns in a step, and of that between it and the way.
 constexpr double kTurned = 0.94;
 constexpr double kAgainst = 0.1;
@@ -163,6 +164,7 @@ bool PairSearch::began_inside(const TissueEdge& edge, std::uint32_t body) const 
   return passed % 2 != 0;
 }
 
+// What touches at the start, as faces that a scene sets on each other without a gap, is on no side yet.
 template <class F>
 void PairSearch::for_new_cuts(F&& found) const {
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
@@ -174,6 +176,7 @@ void PairSearch::for_new_cuts(F&& found) const {
         for_cuts(e, body, end_, [&](std::uint32_t triangle) {
           const Triangle& t = triangles_[triangle];
           if (goes_through(start_[edge.from], start_[edge.to], start_[t[0]], start_[t[1]], start_[t[2]])) return;
+          if (distance_to_triangle({start_[edge.from], start_[edge.to]}, at_start(t)) < kTouching * skin_) return;
           if (body == own || !began_inside(edge, body)) found(e, triangle);
         });
   }

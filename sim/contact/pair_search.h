@@ -120,6 +120,9 @@ class PairSearch {
   double depth_of(const PairRow& row) const;  // at end_ [m]
   bool turned(const PairRow& row) const;
   bool began_inside(const TissueEdge& edge, std::uint32_t body) const;
+  std::array<Eigen::Vector3d, 3> at_start(const Triangle& t) const {
+    return {start_[t[0]], start_[t[1]], start_[t[2]]};
+  }
   bool all_held(const std::array<std::uint32_t, 4>& vertices) const;
   std::uint32_t guard_of_vertex(std::uint32_t vertex) const;
   std::uint32_t guard_of_edge(std::uint32_t edge) const {

@@ -10,7 +10,8 @@ INPUT_VEC4(CoarseDirection, coarse_direction)  // [vertex_count] z_c [m]
 vec3 along_span(uint factors, uint v, vec3 p) {
   precise vec3 sum = FETCH1(subspace_state, factors + 2u) * p + FETCH1(subspace_state, factors) * FETCH(fine_direction, v).xyz;
 #if SPLIT
-  sum += FETCH1(subspace_state, factors + 1u) * FETCH(coarse_direction, v).xyz;
+  float coarse = FETCH1(subspace_state, factors + 1u);  // 0 where the coarse direction is no number
+  if (coarse != 0.0) sum += coarse * FETCH(coarse_direction, v).xyz;
 #endif
   return sum;
 }

@@ -85,6 +85,7 @@ void solve_subspace_step(uint lane) {
     // The elastic energy adds to the curvature of the masses; a lower value is rounding in the difference of two
     // gradients.
     float fp = sums[2].x, cp = sums[2].y, pp = max(sums[2].z, sums[1].w);
+    if (!is_finite(slope.y + fc + cc + cp)) slope.y = fc = cc = cp = 0.0;  // without a coarse direction that overflows
     vec3 diagonal = abs(vec3(ff, cc, remembers != 0u ? pp : 0.0));
     vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
                       diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);

@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/contact/tissue/tissue_surface.h"
 #include "sim/surface/surface_repair.h"
+#include "sim/surface/triangle_tree.h"
 
 namespace fascia {
 namespace {
@@ -182,6 +184,30 @@ std::optional<Passage> edge_through_edge(const Corners& from, const Corners& to)
     weights = {1 - s, s, t - 1, -t};
     return std::min({s, 1 - s, t, 1 - t}) >= -kRounding;
   });
+}
+
+// The nearest points of the lines, led back into the segments (Lumelsky 1985).
+double distance_between(const std::array<Vector3d, 2>& a, const std::array<Vector3d, 2>& b) {
+  const Vector3d along_a = a[1] - a[0], along_b = b[1] - b[0], between = a[0] - b[0];
+  const double aa = along_a.squaredNorm(), bb = along_b.squaredNorm(), ab = along_a.dot(along_b);
+  const double of_a = along_a.dot(between), of_b = along_b.dot(between), det = aa * bb - ab * ab;
+  const auto share = [](double numerator, double denominator) {
+    return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0.0;
+  };
+  double s = det > 1e-12 * aa * bb ? share(ab * of_b - of_a * bb, det) : 0;
+  const double t = share(ab * s + of_b, bb);
+  s = share(ab * t - of_a, aa);
+  return (between + s * along_a - t * along_b).norm();
+}
+
+double distance_to_triangle(const std::array<Vector3d, 2>& segment, const std::array<Vector3d, 3>& t) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vector3d& end : segment) {
+    const Vector3d w = nearest_weights(end, t[0], t[1], t[2]);
+    nearest = std::min(nearest, (end - w[0] * t[0] - w[1] * t[1] - w[2] * t[2]).norm());
+  }
+  for (std::size_t k = 0; k < 3; ++k) nearest = std::min(nearest, distance_between(segment, {t[k], t[(k + 1) % 3]}));
+  return nearest;
 }
 
 }  // namespace fascia

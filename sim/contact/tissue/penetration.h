@@ -34,6 +34,10 @@ struct Passage {
   Eigen::Vector3d normal{0, 0, 0};  // a unit vector toward the side that the vertex, or the first edge, comes from
 };
 
+/// [m] between two segments, and between a segment that does not go through a triangle and that.
+double distance_between(const std::array<Eigen::Vector3d, 2>& a, const std::array<Eigen::Vector3d, 2>& b);
+double distance_to_triangle(const std::array<Eigen::Vector3d, 2>& segment, const std::array<Eigen::Vector3d, 3>& t);
+
 /// Vertex 0 and the triangle of vertices 1, 2, 3.
 std::optional<Passage> vertex_through_triangle(const std::array<Eigen::Vector3d, 4>& from,
                                                const std::array<Eigen::Vector3d, 4>& to);

@@ -76,6 +76,34 @@ TEST_CASE("pushing back solves the coarse problem with the stiffness of contact"
   CHECK(touched.dot(stiffness * touched) == Approx(energy).epsilon(1e-4));
 }
 
+// A stiff body that nothing holds: its compliance as a whole is many times that of its deformations, whose roundings
+// the inverse takes for stiffness. Coarse corrections were up to some thousand times the step so, and no numbers in
+// some.
+TEST_CASE("what contact leaves of its stiffness is between nothing and all of it", "[coarse]") {
+  constexpr Eigen::Index kSize = 24;
+  test::Random random(3);
+  std::vector<std::uint32_t> nodes(kSize / 3);
+  std::iota(nodes.begin(), nodes.end(), 0u);
+  for (const double whole : {1e2, 1e3, 3e3, 1e4, 2e4, 3e4, 5e4, 1e5, 2e5, 3e5, 5e5, 1e6, 1e8}) {
+    const Eigen::VectorXd rigid = random.vector(kSize);
+    Eigen::MatrixXd half(kSize, kSize);
+    for (Eigen::Index k = 0; k < kSize; ++k) half.col(k) = random.vector(kSize);
+    const MatrixXf compliance =
+        (whole * rigid * rigid.transpose() + 1e-2 * half * half.transpose()).eval().cast<float>();
+    for (Eigen::Index k = 0; k < kSize; ++k)
+      half.col(k) = k < kSize / 2 ? random.vector(kSize) : Eigen::VectorXd::Zero(kSize);
+    const MatrixXf stiffness = (1e3 * half * half.transpose()).eval().cast<float>();
+    const MatrixXf left =
+        push_back(stiffness, compliance_of(nodes, [&](Eigen::Index i, Eigen::Index k) { return compliance(i, k); }));
+    const float largest = stiffness.norm();
+    const Eigen::SelfAdjointEigenSolver<MatrixXf> of_left(left), of_rest(stiffness - left);
+    CAPTURE(whole, largest, of_left.eigenvalues().minCoeff(), of_rest.eigenvalues().minCoeff());
+    CHECK(left.allFinite());
+    CHECK(of_left.eigenvalues().minCoeff() > -2e-2f * largest);
+    CHECK(of_rest.eigenvalues().minCoeff() > -2e-2f * largest);
+  }
+}
+
 TEST_CASE("a compliance that is indefinite by rounding has no inverse", "[coarse]") {
   MatrixXf nearly = MatrixXf::Identity(3, 3);
   nearly(0, 1) = nearly(1, 0) = 1.0001f;

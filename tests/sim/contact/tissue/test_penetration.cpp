@@ -66,5 +66,34 @@ TEST_CASE("bodies that begin in each other are found, touching ones are not", "[
   CHECK(without[0].tets == coarse.tets.size());
 }
 
+TEST_CASE("distances between segments and triangles are those of their nearest points", "[contact]") {
+  test::Random random(4);
+  for (int k = 0; k < 200; ++k) {
+    const std::array<Vector3d, 2> a{random.vector(), random.vector()}, b{random.vector(), random.vector()};
+    const std::array<Vector3d, 3> t{random.vector(), random.vector(), random.vector()};
+    double between = 1e9, to_triangle = 1e9;
+    constexpr int kShares = 40;
+    for (int i = 0; i <= kShares; ++i) {
+      const Vector3d p = a[0] + i * (a[1] - a[0]) / kShares;
+      for (int j = 0; j <= kShares; ++j) {
+        between = std::min(between, (p - b[0] - j * (b[1] - b[0]) / kShares).norm());
+        for (int l = 0; j + l <= kShares; ++l)
+          to_triangle = std::min(to_triangle, (p - t[0] - (j * (t[1] - t[0]) + l * (t[2] - t[0])) / kShares).norm());
+      }
+    }
+    CAPTURE(k, between, to_triangle);
+    const double found = distance_between(a, b);
+    CHECK(found <= between + 1e-12);
+    CHECK(found > between - 0.08);  // of the samples
+    if (goes_through(a[0], a[1], t[0], t[1], t[2])) continue;
+    const double nearest = distance_to_triangle(a, t);
+    CHECK(nearest <= to_triangle + 1e-12);
+    CHECK(nearest > to_triangle - 0.12);
+  }
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), zero(0, 0, 0);
+  CHECK(distance_between({zero, x}, {Vector3d(0.5 * x + y), Vector3d(3 * x + y)}) == Approx(1));  // parallel
+  CHECK(distance_between({zero, x}, {Vector3d(0.5 * x - y), Vector3d(0.5 * x + y)}) == Approx(0).margin(1e-12));
+}
+
 }  // namespace
 }  // namespace fascia
