@@ -5,15 +5,16 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/accuracy/enriched_stress.h"
+#include "sim/accuracy/finer_solution.h"
 #include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/recovered_stress.h"
-#include "sim/accuracy/refined_stress.h"
+#include "sim/accuracy/rigid_motions.h"
 #include "sim/material/law.h"
 
 namespace fascia {
 namespace {
 
+using Eigen::Vector3d;
 using Eigen::Vector4d;
 using reference::Vector6d;
 
@@ -61,7 +62,7 @@ double energy_of(const Vector6d& stress, double gap, const Material& material) {
   return pointwise.head<3>().dot(strain.head<3>()) + 2 * pointwise.tail<3>().dot(strain.tail<3>()) - bulk * gap * gap;
 }
 
-Densities densities_at(const PointStress& own, const RefinedStress::Point& finer, const Material& material) {
+Densities densities_at(const PointStress& own, const FinerSolution::Point& finer, const Material& material) {
   const Vector6d lack = finer.stress - own.stress, strain = strain_of(lack, material);
   Densities densities;
   densities.squares = lack.head<3>().dot(strain.head<3>()) + 2 * lack.tail<3>().dot(strain.tail<3>());
@@ -70,17 +71,21 @@ Densities densities_at(const PointStress& own, const RefinedStress::Point& finer
   return densities;
 }
 
-/// T* of each tet by the best of the three that there is.
+/// T* of each tet, of a finer solution where there is one.
 class BetterStress {
  public:
   BetterStress(const Model& model, const State& state, const std::stop_token& stop) : model_(model), state_(state) {
-    std::array<std::size_t, 2> counts{};  // linear, quadratic
-    for (std::size_t t = 0; t < model.tets.size(); ++t) ++counts[model.is_quadratic(t) ? 1 : 0];
-    if (counts[0] > 0 && counts[0] <= EnrichedStress::kMostTets) enriched_.emplace(model, state, stop);
-    if (enriched_ && !enriched_->converged()) enriched_.reset();
-    if (counts[1] > 0 && counts[1] <= RefinedStress::kMostTets) refined_.emplace(model, state, stop);
-    if (refined_ && !refined_->converged()) refined_.reset();
-    if ((counts[0] > 0 && !enriched_) || (counts[1] > 0 && !refined_)) recovered_.emplace(model, state, stop);
+    bool all = true;
+    for (const ElementOrder kind : {ElementOrder::linear, ElementOrder::quadratic}) {
+      std::size_t count = 0;
+      for (std::size_t t = 0; t < model.tets.size(); ++t) count += model.is_quadratic(t) == is_quadratic(kind) ? 1 : 0;
+      if (count == 0) continue;
+      std::optional<FinerSolution>& finer = finer_[is_quadratic(kind) ? 1 : 0];
+      if (count <= FinerSolution::most_tets(kind)) finer.emplace(model, state, kind, stop);
+      if (finer && !finer->converged()) finer.reset();
+      all = all && finer;
+    }
+    if (!all) recovered_.emplace(model, state, stop);
   }
 
   struct Point {
@@ -90,30 +95,45 @@ class BetterStress {
     Densities densities;
   };
   std::vector<Point> at(std::size_t t) const {
-    return refined_ && model_.is_quadratic(t) ? of_finer_tets(t) : of_whole(t);
+    const std::optional<FinerSolution>& finer = finer_[model_.is_quadratic(t) ? 1 : 0];
+    return finer ? of_finer(*finer, t) : of_patches(t);
+  }
+
+  /// Displacements of the finer solutions [m]; empty without one of them.
+  std::vector<Vector3d> displacements() const {
+    if (recovered_) return {};
+    std::vector<Vector3d> result = state_.displacement;
+    for (const std::optional<FinerSolution>& finer : finer_) {
+      if (!finer) continue;
+      const std::vector<Vector3d> moved = finer->displacements();
+      for (std::size_t v = 0; v < result.size(); ++v)
+        if (moved[v] != state_.displacement[v]) result[v] = moved[v];
+    }
+    return result;
   }
 
  private:
-  std::vector<Point> of_finer_tets(std::size_t t) const {
-    const auto finer = refined_->at(t);
+  static bool is_quadratic(ElementOrder kind) { return kind == ElementOrder::quadratic; }
+
+  std::vector<Point> of_finer(const FinerSolution& solution, std::size_t t) const {
+    const std::vector<FinerSolution::Point> finer = solution.at(t);
     std::vector<Vector4d> places;
-    for (const RefinedStress::Point& point : finer) places.push_back(point.barycentric);
+    for (const FinerSolution::Point& point : finer) places.push_back(point.barycentric);
     const std::vector<PointStress> own = stresses_of(model_, state_, t, places);
     std::vector<Point> points;
     for (std::size_t p = 0; p < own.size(); ++p)
-      points.push_back({1.0 / RefinedStress::kPoints, own[p], finer[p].stress,
+      points.push_back({1.0 / static_cast<double>(own.size()), own[p], finer[p].stress,
                         densities_at(own[p], finer[p], model_.materials[model_.tet_material[t]])});
     return points;
   }
 
-  std::vector<Point> of_whole(std::size_t t) const {
+  std::vector<Point> of_patches(std::size_t t) const {
     std::vector<Vector4d> places;
     for (const VolumePoint& point : volume_points()) places.push_back(point.barycentric);
     const std::vector<PointStress> own = stresses_of(model_, state_, t, places);
     std::vector<Point> points;
     for (std::size_t p = 0; p < own.size(); ++p) {
-      const Vector6d star = enriched_ && !model_.is_quadratic(t) ? Vector6d(own[p].stress + enriched_->at(t, places[p]))
-                                                                 : recovered_->at(t, places[p]);
+      const Vector6d star = recovered_->at(t, places[p]);
       points.push_back({volume_points()[p].weight, own[p], star,
                         densities_at(own[p], star, model_.materials[model_.tet_material[t]])});
     }
@@ -122,10 +142,38 @@ class BetterStress {
 
   const Model& model_;
   const State& state_;
-  std::optional<EnrichedStress> enriched_;
-  std::optional<RefinedStress> refined_;
+  std::array<std::optional<FinerSolution>, 2> finer_;  // of linear and of quadratic tets
   std::optional<RecoveredStress> recovered_;
 };
+
+/// Squares of a distance and of what it is relative to, over the volume.
+struct Squares {
+  double distance = 0, whole = 0, volume = 0;  // [m^2 m^3], [m^3]
+};
+
+/// Of the displacements to better ones. Of pieces that nothing holds the whole is what they are deformed by.
+Squares squares_of(const Model& model, const State& state, const std::vector<Vector3d>& better) {
+  std::vector<double> volumes(better.size(), 0);
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.tets[t]) volumes[v] += volume_of(model, t) / 4;
+  std::vector<Vector3d> whole = better;
+  for (const std::vector<std::uint32_t>& piece : free_pieces(model.tets, model.held())) {
+    std::vector<Vector3d> rest, now;
+    for (const std::uint32_t v : piece) {
+      rest.push_back(model.rest_positions[v]);
+      now.push_back(rest.back() + better[v]);
+    }
+    const std::vector<Vector3d> left = deformation(rest, now);
+    for (std::size_t k = 0; k < piece.size(); ++k) whole[piece[k]] = left[k];
+  }
+  Squares sum;
+  for (std::size_t v = 0; v < better.size(); ++v) {
+    sum.distance += volumes[v] * (better[v] - state.displacement[v]).squaredNorm();
+    sum.whole += volumes[v] * whole[v].squaredNorm();
+    sum.volume += volumes[v];
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -153,6 +201,10 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
   }
   if (!(whole > 0)) return result;
   result.displacement = std::abs(work) / whole;
+  if (const std::vector<Vector3d> moved = found.displacements(); !moved.empty()) {
+    const Squares squares_of_all = squares_of(model, state, moved);
+    result.displacement = std::sqrt(squares_of_all.distance / squares_of_all.whole);
+  }
   std::transform(squares.begin(), squares.end(), result.tets.begin(),
                  [&](double mean) { return static_cast<float>(std::sqrt(mean / (whole / all))); });
   result.peak = exceeded_by_a_hundredth(better, volumes);

@@ -1,23 +1,20 @@
-// How far a state is from that of an infinitely fine mesh under the same forces, estimated from the state alone.
+// How far a state is from that of an infinitely fine mesh under the same forces, estimated from the state alone: by
+// the distance to a finer solution (sim/accuracy/finer_solution.h), and by its stress T* beside T of the tets,
 //
-//   e^2 = int (T* - T) : D^-1 (T* - T) dV       (Zienkiewicz, Zhu 1987)
+//   w = int (T* - T) : D^-1 (T* - T) dV       (Zienkiewicz, Zhu 1987),
 //
-// is the squared error in the energy norm. By Galerkin's orthogonality it is also what the load's work is short of:
-// e^2 / (T* : D^-1 T*) is the relative error of the displacements, each weighted by the load that acts on it. Where
-// motions are prescribed and nothing pulls, it is that of the reactions. T* of linear tets is the stress that they
-// would have if their edges could bend (sim/accuracy/enriched_stress.h).
+// or, of quadratic tets, which take the change of volume theta of their energy on average and may be too soft rather
+// than too stiff, the difference of the energies.
 //
-// Quadratic tets take the change of volume theta of their energy on average, and may be too soft rather than too stiff.
-// With the stress T* of tets cut in eight (sim/accuracy/refined_stress.h), the difference w of the energies takes the
-// place of e^2.
-//
-// Where neither is found, or the tets are too many, T* is recovered by patches (sim/accuracy/recovered_stress.h), and
-// with theta* of T* and K of volume_split()
+// Where there is no finer solution, or the tets are too many for it, T* is recovered by patches
+// (sim/accuracy/recovered_stress.h), and with theta* of T* and K of volume_split()
 //
 //   w = int (T* - T) : D^-1 (T* - T), of the pointwise theta, - K (theta - mean theta)^2 dV
 //
-// where linear tets have nothing to average. D is that of the law at rest. The estimate of a moving body is that of the
-// shape that its current forces would hold: it has nothing of the error in the frequencies that has added up.
+// where linear tets have nothing to average. D is that of the law at rest. By Galerkin's orthogonality w is also what
+// the load's work is short of: it then stands for the relative error of the displacements, each weighted by its load.
+// The estimate of a moving body is that of the shape that its current forces would hold: it has nothing of the error in
+// the frequencies that has added up.
 #pragma once
 #include <stop_token>
 #include <vector>
@@ -28,7 +25,9 @@
 namespace fascia {
 
 struct MeshError {
-  double displacement = 0;  // |w| / int T* : D^-1 T*
+  /// Root of int |u* - u|^2 dV / int |u*|^2 dV, u* being that of the finer solution; |w| / int T* : D^-1 T* without one.
+  /// Pieces that nothing holds count without their rigid motion.
+  double displacement = 0;
   double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to that of T*
   double peak = 0;          // that of T* [Pa]
   double peak_of_tets = 0;  // that of the tets themselves [Pa]

@@ -57,9 +57,10 @@ TEST_CASE("a body at rest and one in uniform strain have no error of the mesh") 
   CHECK(*std::max_element(error.tets.begin(), error.tets.end()) < 1e-6);
 }
 
-TEST_CASE("the error of the mesh does not change when the body is turned as a whole") {
-  const Model model = beam(8, 0.3, GENERATE(false, true));
+TEST_CASE("the error of a body that nothing holds does not change when it is turned as a whole") {
+  Model model = beam(8, 0.3, GENERATE(false, true));
   State state = equilibrium(model);
+  model.fixed.clear();  // what held it is a load from here on
   const MeshError before = estimate_mesh_error(model, state);
   const Matrix3d turn = Random(4).rotation();
   for (std::size_t v = 0; v < state.displacement.size(); ++v) {
@@ -67,8 +68,10 @@ TEST_CASE("the error of the mesh does not change when the body is turned as a wh
     state.displacement[v] = turn * (x + state.displacement[v]) - x;
   }
   const MeshError after = estimate_mesh_error(model, state);
-  CHECK(after.displacement == Approx(before.displacement).epsilon(1e-9));
-  CHECK(after.peak == Approx(before.peak).epsilon(1e-9));
+  CAPTURE(before.displacement);
+  CHECK(before.displacement > 0);
+  CHECK(after.displacement == Approx(before.displacement).epsilon(1e-6));
+  CHECK(after.peak == Approx(before.peak).epsilon(1e-6));
 }
 
 // The continuum's deflection: test_newton_quadratic.cpp.

@@ -1,14 +1,15 @@
-// The stress that quadratic tets lack, against meshes of which each tet is cut in eight.
+// What tets lack, against equilibria of finer meshes that the reference solver finds.
 // Covers: refined_model
-#include "sim/accuracy/refined_stress.h"
+#include "sim/accuracy/finer_solution.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "sim/accuracy/mesh_error.h"
+#include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/accuracy/refined_model.h"
-#include "sim/mesh/linear_tets.h"
+#include "tests/sim/accuracy/error_against.h"
 #include "tests/sim/reference/box_model.h"
 
 using namespace fascia;
@@ -24,8 +25,8 @@ struct QuadraticBar {
   Vector3d gravity;
 };
 
-/// A bar of 0.4 x 0.2 x 0.2 m with inner vertices displaced at random, held at x = 0. Its tets cut in eight if `fine`.
-Model irregular(const QuadraticBar& bar, bool fine) {
+/// A bar of 0.4 x 0.2 x 0.2 m with inner vertices displaced at random, held at x = 0.
+Model irregular(const QuadraticBar& bar) {
   Material material = soft(1e6, bar.nu);
   material.model = MaterialModel::st_venant_kirchhoff;
   TetMesh mesh = make_box(4, 2, 2, {0.4, 0.2, 0.2});
@@ -35,16 +36,6 @@ Model irregular(const QuadraticBar& bar, bool fine) {
       const double way = 0.02 * random();
       if (x[axis] > 1e-9 && x[axis] < (axis == 0 ? 0.4 : 0.2) - 1e-9) x[axis] += way;
     }
-  if (fine) {
-    std::vector<std::uint32_t> all(mesh.tets.size());
-    for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-    add_mid_edges(mesh, all);
-    TetMesh cut;
-    cut.positions = mesh.positions;
-    for (std::size_t t = 0; t < all.size(); ++t)
-      for (const Tet& tet : cut_in_eight(mesh.tets[t], mesh.mid_edges[t], mesh.positions)) cut.tets.push_back(tet);
-    mesh = cut;
-  }
   Model model = quadratic(make_model(
       mesh, material, [&](const Vector3d& x) { return x.x() < 1e-9 || (bar.both_ends && x.x() > 0.4 - 1e-9); }));
   model.gravity = bar.gravity;
@@ -57,20 +48,94 @@ State at_rest(const Model& model) {
   return state;
 }
 
+/// The equilibrium of a quadratic model of which each tet is cut in eight.
+State cut_at_rest(const Model& quadratic_model) {
+  RefinedModel fine = refined(quadratic_model, initial_state(quadratic_model), ElementOrder::quadratic);
+  fine.model.gravity = quadratic_model.gravity;
+  fine.model.initial_velocity.assign(fine.model.rest_positions.size(), Vector3d::Zero());
+  return at_rest(fine.model);
+}
+
+/// A bar of 0.5 x 0.2 x 0.2 m that is held at x = 0, and at its other end with `both`; inner vertices are displaced at
+/// random by up to a fifth of a cell, and those of the surface along it.
+Model shaken_bar(int cells, double nu, bool both, double load = 1) {
+  Material material = soft(2e6, nu);
+  TetMesh mesh = make_box(cells, cells / 2, cells / 2, {0.5, 0.2, 0.2});
+  Random random(5);
+  for (Vector3d& x : mesh.positions)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = axis == 0 ? 0.5 : 0.2, way = 0.1 / cells * random();
+      if (x[axis] > 1e-9 && x[axis] < side - 1e-9) x[axis] += way;
+    }
+  Model model =
+      make_model(mesh, material, [&](const Vector3d& x) { return x.x() < 1e-9 || (both && x.x() > 0.5 - 1e-9); });
+  model.gravity = load * Vector3d(3, -9.81, 1);
+  return model;
+}
+
 }  // namespace
 
 TEST_CASE("the error of quadratic tets is the difference to the same body with each tet cut in eight") {
   const auto bar = GENERATE(QuadraticBar{0.3, false, {0, -9.81, 0}}, QuadraticBar{0.45, false, {3, -9.81, 1}},
                             QuadraticBar{0.49, false, {0, -9.81, 0}}, QuadraticBar{0.3, true, {0, -40, 0}},
                             QuadraticBar{0.3, false, {60, 0, 0}});
-  const Model model = irregular(bar, false), fine = irregular(bar, true);
-  const State state = at_rest(model), finer = at_rest(fine);
-  const double error = std::abs(reference::measure(model, state).elastic / reference::measure(fine, finer).elastic - 1);
+  const Model model = irregular(bar);
+  const State state = at_rest(model);
+  const double error = error_against(model, state, cut_at_rest(model));
   const MeshError estimate = estimate_mesh_error(model, state);
   CAPTURE(bar.nu, bar.both_ends, error, estimate.displacement);
-  CHECK(RefinedStress(model, state).converged());
-  CHECK(estimate.displacement > 0.7 * error);
-  CHECK(estimate.displacement < 1.5 * error);
+  CHECK(FinerSolution(model, state, ElementOrder::quadratic).converged());
+  CHECK(estimate.displacement == Approx(error).epsilon(0.05));
+}
+
+// Between two supports the stresses that 1 % of the volume exceeds are those of their edges, which no tet resolves.
+TEST_CASE("the error of linear tets is known within a tenth, and that of the stress at one support within a fifth") {
+  const auto [nu, both] = GENERATE(std::pair(0.3, false), std::pair(0.3, true), std::pair(0.47, false));
+  const Model model = shaken_bar(6, nu, both), ten = quadratic(model);
+  RefinedModel fine = refined(ten, initial_state(ten), ElementOrder::quadratic);
+  fine.model.gravity = model.gravity;
+  fine.model.initial_velocity.assign(fine.model.rest_positions.size(), Vector3d::Zero());
+  const State state = at_rest(model), finest = at_rest(fine.model);
+  const double error = error_against(model, state, finest),
+               peak = peak_of(nodal_stress(fine.model, finest), fine.model).p99;
+  const MeshError estimate = estimate_mesh_error(model, state);
+  const double peak_error = std::abs(estimate.peak_of_tets / peak - 1);
+  CAPTURE(nu, both, error, estimate.displacement, peak_error, estimate.peak_stress);
+  CHECK(estimate.displacement == Approx(error).epsilon(0.1));
+  if (!both) CHECK(estimate.peak == Approx(peak).epsilon(0.2 * peak_error + 0.02));
+}
+
+TEST_CASE("the error of a bar that bends by its length and more is known within a fifth") {
+  const bool ten_nodes = GENERATE(false, true);
+  const double load = GENERATE(20.0, 100.0);
+  const Model four = shaken_bar(4, 0.4, false, load), ten = quadratic(four);
+  const Model& model = ten_nodes ? ten : four;
+  const State state = at_rest(model), finest = cut_at_rest(ten);
+  const double error = error_against(model, state, finest);
+  const MeshError estimate = estimate_mesh_error(model, state);
+  CAPTURE(ten_nodes, load, error, estimate.displacement);
+  CHECK(estimate.displacement == Approx(error).epsilon(0.2));
+}
+
+TEST_CASE("nothing is missing where pressure acts on all of the surface of a box") {
+  const Model model = box_model(4, 4, 4, {0.2, 0.2, 0.2}, soft(1e5, 0.3));
+  State state = initial_state(model);
+  const double stretch = 0.98;
+  for (std::size_t v = 0; v < state.displacement.size(); ++v)
+    state.displacement[v] = (stretch - 1) * model.rest_positions[v];
+  const FinerSolution finer(model, state, ElementOrder::linear);
+  REQUIRE(finer.converged());
+  double most = 0, own = 0;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    Vector3d center = Vector3d::Zero();
+    for (const std::uint32_t v : model.tets[t]) center += 0.25 * model.rest_positions[v];
+    if ((center - Vector3d::Constant(0.1)).cwiseAbs().maxCoeff() > 0.05) continue;  // edges have two tractions
+    const auto stress = stresses_of(model, state, t, {Vector4d::Constant(0.25)}).front().stress;
+    own = stress.norm();
+    for (const FinerSolution::Point& point : finer.at(t)) most = std::max(most, (point.stress - stress).norm());
+  }
+  CAPTURE(most, own);
+  CHECK(most < 0.05 * own);
 }
 
 TEST_CASE("steps that would raise the energy are halved, so that the search ends in the finer mesh's equilibrium") {
@@ -83,10 +148,10 @@ TEST_CASE("steps that would raise the energy are halved, so that the search ends
       make_model(make_box(2, 1, 1, {0.4, 0.1, 0.1}), material, [](const Vector3d& x) { return x.x() < 1e-9; }));
   model.gravity = {0, -300, 0};
   const State state = at_rest(model);
-  const RefinedStress search(model, state);
+  const FinerSolution search(model, state, ElementOrder::quadratic);
   REQUIRE(search.converged());
 
-  RefinedModel fine = refined(model, state);
+  RefinedModel fine = refined(model, state, ElementOrder::quadratic);
   fine.model.gravity = model.gravity;
   fine.model.initial_velocity.assign(fine.model.rest_positions.size(), Vector3d::Zero());
   const State finer = at_rest(fine.model);
@@ -106,9 +171,9 @@ TEST_CASE("steps that would raise the energy are halved, so that the search ends
 }
 
 TEST_CASE("a finer mesh has the motion of the tets that are cut") {
-  const Model model = irregular({0, false, {0, -9.81, 0}}, false);  // nu = 0: no change of volume to average
+  const Model model = irregular({0, false, {0, -9.81, 0}});  // nu = 0: no change of volume to average
   const State state = at_rest(model);
-  const RefinedModel fine = refined(model, state);
+  const RefinedModel fine = refined(model, state, ElementOrder::quadratic);
   REQUIRE(fine.model.tets.size() == 8 * model.tets.size());
   double volume = 0, expected = 0;
   for (std::size_t t = 0; t < model.tets.size(); ++t) expected += volume_of(model, t);
@@ -154,20 +219,23 @@ TEST_CASE("in a mixed model linear and quadratic bodies have the errors that the
 }
 
 TEST_CASE("the points of the eight tets stand for the same volume") {
-  const Model model = irregular({0.3, false, {0, -9.81, 0}}, false);
-  const RefinedStress refined(model, at_rest(model));
+  const Model model = irregular({0.3, false, {0, -9.81, 0}});
+  const FinerSolution finer(model, at_rest(model), ElementOrder::quadratic);
+  REQUIRE(finer.at(7).size() == 8 * QuadraticTet::kPoints);
   Vector4d mean = Vector4d::Zero();
-  for (const RefinedStress::Point& point : refined.at(7)) {
+  for (const FinerSolution::Point& point : finer.at(7)) {
     CHECK(point.barycentric.sum() == Approx(1));
     CHECK(point.barycentric.minCoeff() > 0);
-    mean += point.barycentric / RefinedStress::kPoints;
+    mean += point.barycentric / (8 * QuadraticTet::kPoints);
   }
   CHECK((mean - Vector4d::Constant(0.25)).norm() < 1e-12);
 }
 
 TEST_CASE("a search on the finer mesh that is asked to stop has not converged") {
-  const Model model = irregular({0.3, false, {0, -9.81, 0}}, false);
+  const ElementOrder kind = GENERATE(ElementOrder::linear, ElementOrder::quadratic);
+  const Model model = kind == ElementOrder::linear ? shaken_bar(4, 0.3, false) : irregular({0.3, false, {0, -9.81, 0}});
   std::stop_source stop;
   stop.request_stop();
-  CHECK_FALSE(RefinedStress(model, at_rest(model), stop.get_token()).converged());
+  CHECK_FALSE(FinerSolution(model, at_rest(model), kind, stop.get_token()).converged());
+  CHECK(FinerSolution(model, at_rest(model), kind).converged());
 }

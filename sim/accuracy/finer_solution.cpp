@@ -1,4 +1,4 @@
-#include "sim/accuracy/refined_stress.h"
+#include "sim/accuracy/finer_solution.h"
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
@@ -46,23 +46,49 @@ void restrict_to_corners(const std::vector<MidEdge>& edges, Vectors& forces) {
 
 }  // namespace
 
-RefinedStress::RefinedStress(const Model& model, const State& state, const std::stop_token& stop)
-    : model_(model), refined_(refined(model, state)) {
+FinerSolution::FinerSolution(const Model& model, const State& state, ElementOrder kind, const std::stop_token& stop)
+    : model_(model), kind_(kind), refined_(refined(model, state, kind)) {
   make_elements();
-  Vectors forces(model.rest_positions.size(), Vector3d::Zero());
-  for (const std::uint32_t t : refined_.tets) {
-    if (stop.stop_requested()) return;
-    const QuadraticTet rest(corners_of(model, model.tets[t]));
-    const std::vector<PointStress> own = stresses_of(model, state, t, QuadraticTet::points());
-    for (std::size_t q = 0; q < kPointsOfOne; ++q)
-      add_forces(rest, model.element(t), q, own[q].rotation * matrix_of(own[q].stress), forces);
-  }
-  move_on(loads_of(forces), stop);
+  keep_free_pieces();
+  if (stop.stop_requested()) return;
+  const Vectors forces = forces_of_coarse_tets(state);
+  move_on(kind == ElementOrder::quadratic ? loads_on_cut_tets(forces) : loads_on_edges(forces), stop);
 }
 
-void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
-  constexpr int kMostSteps = 20, kMostHalves = 10;
-  constexpr double kShare = 1e-5;  // of the first step's work
+void FinerSolution::keep_free_pieces() {
+  for (std::vector<std::uint32_t>& vertices : free_pieces(refined_.model.tets, refined_.held)) {
+    for (const MidEdge& edge : refined_.edges)
+      if (std::binary_search(vertices.begin(), vertices.end(), edge.a)) vertices.push_back(edge.vertex);
+    Vectors places;
+    for (const std::uint32_t v : vertices)
+      places.push_back(refined_.model.rest_positions[v] + refined_.state.displacement[v]);
+    free_.add(vertices, places);
+  }
+}
+
+Vectors FinerSolution::forces_of_coarse_tets(const State& state) const {
+  Vectors forces(model_.rest_positions.size(), Vector3d::Zero());
+  for (const std::uint32_t t : refined_.tets) {
+    const LinearTet corners = corners_of(model_, model_.tets[t]);
+    const QuadraticTet ten(corners);
+    const std::vector<PointStress> own = stresses_of(model_, state, t, QuadraticTet::points());
+    for (std::size_t q = 0; q < kPointsOfOne; ++q) {
+      const Matrix3d first_piola = own[q].rotation * matrix_of(own[q].stress);
+      if (kind_ == ElementOrder::quadratic) {
+        add_forces(ten, model_.element(t), q, first_piola, forces);
+      } else {
+        for (std::size_t a = 0; a < 4; ++a)
+          forces[model_.tets[t][a]] += 0.25 * corners.volume * first_piola * corners.gradients.col(static_cast<int>(a));
+      }
+    }
+  }
+  return forces;
+}
+
+void FinerSolution::move_on(const Vectors& loads, const std::stop_token& stop) {
+  constexpr int kMostSteps = 40, kMostHalves = 10;
+  constexpr double kShare = 1e-5;      // of the first step's work
+  constexpr double kRounding = 1e-20;  // of the elastic energy
   const auto potential = [&] {
     double sum = 0;
     for (const Element& element : elements_) sum += element.energy;
@@ -71,6 +97,8 @@ void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
     return sum;
   };
   update_points();
+  double elastic = 0;
+  for (const Element& element : elements_) elastic += element.energy;
   double first = 0, before = potential();
   for (int step = 0; step < kMostSteps && !converged_; ++step) {
     const Vectors missing = residual(loads);
@@ -87,12 +115,13 @@ void RefinedStress::move_on(const Vectors& loads, const std::stop_token& stop) {
       if (potential() <= before) break;
     }
     before = potential();
-    converged_ = length == 1 && work <= kShare * first;
+    converged_ = length == 1 && work <= std::max(kShare * first, kRounding * elastic);
   }
 }
 
-void RefinedStress::make_elements() {
+void FinerSolution::make_elements() {
   const Model& fine = refined_.model;
+  elements_.reserve(fine.tets.size());
   for (std::size_t s = 0; s < fine.tets.size(); ++s) {
     const Material& material = fine.materials[fine.tet_material[s]];
     Element element{QuadraticTet(corners_of(fine, fine.tets[s])),
@@ -108,7 +137,7 @@ void RefinedStress::make_elements() {
   }
 }
 
-void RefinedStress::update_points() {
+void FinerSolution::update_points() {
   for (std::size_t s = 0; s < elements_.size(); ++s) {
     Element& element = elements_[s];
     const VolumeSplit split = volume_split(refined_.model.materials[refined_.model.tet_material[s]]);
@@ -136,7 +165,7 @@ void RefinedStress::update_points() {
   }
 }
 
-RefinedStress::Vectors RefinedStress::loads_of(const Vectors& coarse_forces) const {
+Vectors FinerSolution::loads_on_cut_tets(const Vectors& coarse_forces) const {
   const Middles middles = middles_of(refined_.coarse_edges);
   Vectors on_corners = coarse_forces;
   restrict_to_corners(refined_.coarse_edges, on_corners);
@@ -171,7 +200,38 @@ RefinedStress::Vectors RefinedStress::loads_of(const Vectors& coarse_forces) con
   return result;
 }
 
-RefinedStress::Vectors RefinedStress::residual(const Vectors& loads) const {
+Vectors FinerSolution::loads_on_edges(const Vectors& coarse_forces) const {
+  const Middles middles = middles_of(refined_.edges);
+  Vectors result = coarse_forces;
+  const Vectors field = spread_field(model_, refined_.tets, middles, coarse_forces);
+  for (const std::uint32_t t : refined_.tets) {
+    const double share = model_.materials[model_.tet_material[t]].density * volume_of(model_, t) / 4;
+    for (const std::uint32_t v : model_.tets[t]) result[v] -= share * field[v];
+  }
+  const std::vector<FaceLoad> loads = spread_on_faces(model_, refined_.tets, middles, refined_.held, result, true);
+  // On the functions 4 L_a L_b of edges. Those of the corners, L_a - sum_b 2 L_a L_b, have what is left.
+  result = coarse_forces;
+  result.resize(refined_.held.size(), Vector3d::Zero());
+  for (std::size_t s = 0; s < elements_.size(); ++s) {
+    const ElementVertices element = refined_.model.element(s);
+    const double mass = model_.materials[model_.tet_material[refined_.tets[s]]].density * volume_of(refined_.model, s);
+    Vector3d all = Vector3d::Zero();
+    for (std::size_t a = 0; a < 4; ++a) all += field[element[a]];
+    for (std::size_t m = 0; m < 6; ++m) {
+      const auto [a, b] = kMidEdgeCorners[m];
+      result[element[4 + m]] += mass / 30 * (all + field[element[a]] + field[element[b]]);
+    }
+  }
+  for (const FaceLoad& load : loads) {
+    const std::array<Vector3d, 6> forces = forces_of(load);
+    for (std::size_t k = 3; k < 6; ++k) result[load.vertices[k]] += forces[k];
+  }
+  for (const MidEdge& edge : refined_.edges)
+    for (const std::uint32_t v : {edge.a, edge.b}) result[v] -= 0.5 * result[edge.vertex];
+  return result;
+}
+
+Vectors FinerSolution::residual(const Vectors& loads) const {
   Vectors result = loads;
   for (std::size_t s = 0; s < elements_.size(); ++s)
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
@@ -183,7 +243,7 @@ RefinedStress::Vectors RefinedStress::residual(const Vectors& loads) const {
   return result;
 }
 
-QuadraticTet::PointGradients RefinedStress::added_stresses(const Element& element, const Vectors& of) const {
+QuadraticTet::PointGradients FinerSolution::added_stresses(const Element& element, const Vectors& of) const {
   QuadraticTet::Nodes nodes;
   for (std::size_t n = 0; n < 10; ++n) nodes[n] = of[element.vertices[n]];
   QuadraticTet::PointGradients at = element.rest.at_points(nodes);
@@ -197,7 +257,7 @@ QuadraticTet::PointGradients RefinedStress::added_stresses(const Element& elemen
   return at;
 }
 
-RefinedStress::Vectors RefinedStress::apply(const Vectors& to) const {
+Vectors FinerSolution::apply(const Vectors& to) const {
   Vectors result(to.size(), Vector3d::Zero());
   for (const Element& element : elements_) {
     const QuadraticTet::PointGradients stresses = added_stresses(element, to);
@@ -224,7 +284,7 @@ RefinedStress::Vectors RefinedStress::apply(const Vectors& to) const {
   return result;
 }
 
-bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, Vectors& delta) const {
+bool FinerSolution::solve(const Vectors& residual, const std::stop_token& stop, Vectors& delta) const {
   const std::size_t coarse = model_.rest_positions.size();
   std::vector<int> places(coarse, -1);
   int unknowns = 0;
@@ -282,6 +342,8 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
 
   const auto precondition = [&](const Vectors& forces) {
     Vectors r = forces, z(r.size(), Vector3d::Zero());
+    free_.remove_from(r);
+    const Vectors balanced = r;
     restrict_to_corners(refined_.edges, r);
     Vectors middle(r.begin(), r.begin() + static_cast<std::ptrdiff_t>(coarse)), rough = middle;
     restrict_to_corners(refined_.coarse_edges, rough);
@@ -299,8 +361,9 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
       if (refined_.held[v])
         z[v].setZero();
       else
-        z[v] += blocks[v] * forces[v];
+        z[v] += blocks[v] * balanced[v];
     }
+    free_.remove_from(z);
     return z;
   };
   return conjugate_gradients(
@@ -308,20 +371,22 @@ bool RefinedStress::solve(const Vectors& residual, const std::stop_token& stop, 
       stop, delta);
 }
 
-std::array<RefinedStress::Point, RefinedStress::kPoints> RefinedStress::at(std::size_t tet) const {
-  std::array<Point, kPoints> points;
+std::vector<Vector3d> FinerSolution::displacements() const {
+  const Vectors& all = refined_.state.displacement;
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(model_.rest_positions.size())};
+}
+
+std::vector<FinerSolution::Point> FinerSolution::at(std::size_t tet) const {
+  std::vector<Point> points;
   const ElementVertices whole = model_.element(tet);
-  for (std::size_t k = 0; k < 8; ++k) {
-    const std::size_t s = refined_.first_of[tet] + k;
+  for (std::size_t s = refined_.first_of[tet]; s < refined_.first_of[tet] + refined_.parts; ++s) {
     const std::vector<PointStress> own = stresses_of(refined_.model, refined_.state, s, QuadraticTet::points());
     for (std::size_t q = 0; q < kPointsOfOne; ++q) {
-      Point& point = points[kPointsOfOne * k + q];
-      point.barycentric.setZero();
+      Point point{Vector4d::Zero(), own[q].stress, own[q].growth_gap};
       for (std::size_t c = 0; c < 4; ++c)
         point.barycentric +=
             (c == q ? QuadraticTet::kNear : QuadraticTet::kFar) * place_in(whole, refined_.model.tets[s][c]);
-      point.stress = own[q].stress;
-      point.growth_gap = own[q].growth_gap;
+      points.push_back(point);
     }
   }
   return points;

@@ -1,13 +1,15 @@
-// What quadratic tets lack, from the same body with each tet cut in eight, quadratic again: the loads that hold the
-// tets move it on to its own equilibrium, with the averages of the change of volume (volume_split()) and the
-// masses of the finer tets. Cubic functions on the same tets are no substitute: at the edges of supports they are
-// hardly better than quadratic ones, and without the averages they are stiffer where these are too soft.
+// Where a body goes if its tets get more freedom under the same loads: linear tets become quadratic, with edges that
+// bend, and quadratic ones are cut in eight, quadratic again, with the averages of the change of volume
+// (volume_split()) and the masses of the finer tets (sim/accuracy/refined_model.h). Cubic functions on quadratic tets
+// are no substitute: at the edges of supports they are hardly better, and without the averages they are stiffer where
+// quadratic ones are too soft.
 //
 // Loads: sim/accuracy/spread_loads.h; what forces at vertices have beside them stays there. Newton's method, whose
 // linear problems are solved by conjugate gradients without a matrix, as far as it pays and the curvature is positive
 // (Dembo, Steihaug 1983), with halved steps where the energy would rise. The preconditioner (Bramble, Pasciak, Xu 1990)
 // adds the factorized linear tets of the coarse mesh, and the blocks of the linear and of the quadratic functions of
-// the finer one.
+// the finer one. Pieces that nothing holds keep place and direction: their loads stay where they point, and what lies
+// on such loads would fall over.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "sim/accuracy/refined_model.h"
+#include "sim/accuracy/rigid_motions.h"
 #include "sim/elements/quadratic_tet.h"
 #include "sim/material/law.h"
 #include "sim/model/model.h"
@@ -24,25 +27,30 @@
 
 namespace fascia {
 
-class RefinedStress {
+class FinerSolution {
  public:
-  static constexpr std::size_t kMostTets = 10'000;  // 30 kB and half a millisecond each
+  /// 4 kB for each finer tet.
+  static constexpr std::size_t most_tets(ElementOrder kind) {
+    return kind == ElementOrder::quadratic ? 10'000 : 50'000;
+  }
 
-  /// Of the quadratic tets of a model, which must not change. Ends early once `stop` is requested.
-  RefinedStress(const Model& model, const State& state, const std::stop_token& stop = {});
+  /// Of the tets of one kind of a model, which must not change. Ends early once `stop` is requested.
+  FinerSolution(const Model& model, const State& state, ElementOrder kind, const std::stop_token& stop = {});
 
   /// Whether the search ended: not if it was stopped, or tets are too flat for the factorization or the iterations.
   bool converged() const { return converged_; }
 
-  /// The integration points of the eight tets.
+  /// [vertex_count of the model] displacements [m]; those of tets of the other kind are the state's.
+  std::vector<Eigen::Vector3d> displacements() const;
+
+  /// The integration points of the finer tets.
   struct Point {
-    Eigen::Vector4d barycentric;  // in the whole tet
+    Eigen::Vector4d barycentric;  // in the coarse tet
     reference::Vector6d stress;   // T* [Pa] as in sim/accuracy/recovered_stress.h
     double growth_gap;            // PointStress::growth_gap of the finer tet
   };
-  static constexpr std::size_t kPoints = 8 * QuadraticTet::kPoints;
-  /// Of one tet; all have the same weight, since the eight have the same volume.
-  std::array<Point, kPoints> at(std::size_t tet) const;
+  /// Of one tet; all have the same weight, since the finer tets in one have the same volume.
+  std::vector<Point> at(std::size_t tet) const;
 
  private:
   using Vectors = std::vector<Eigen::Vector3d>;  // [vertex] of the finer mesh
@@ -59,17 +67,22 @@ class RefinedStress {
   };
 
   void make_elements();
+  void keep_free_pieces();
   void update_points();
   void move_on(const Vectors& loads, const std::stop_token& stop);
-  Vectors loads_of(const Vectors& coarse_forces) const;
+  Vectors forces_of_coarse_tets(const State& state) const;
+  Vectors loads_on_cut_tets(const Vectors& coarse_forces) const;
+  Vectors loads_on_edges(const Vectors& coarse_forces) const;
   Vectors residual(const Vectors& loads) const;
   Vectors apply(const Vectors& to) const;
   QuadraticTet::PointGradients added_stresses(const Element& element, const Vectors& of) const;
   bool solve(const Vectors& residual, const std::stop_token& stop, Vectors& delta) const;
 
   const Model& model_;
+  const ElementOrder kind_;
   RefinedModel refined_;
   std::vector<Element> elements_;
+  RigidMotions free_;  // of the pieces that nothing holds
   bool converged_ = false;
 };
 
