@@ -25,8 +25,8 @@
 namespace fascia {
 
 struct MeshError {
-  /// Root of int |u* - u|^2 dV / int |u*|^2 dV, u* being that of the finer solution; |w| / int T* : D^-1 T* without one.
-  /// Pieces that nothing holds count without their rigid motion.
+  /// Root of int |u* - u|^2 dV / int |u*|^2 dV, u* being that of the finer solution; |w| / int T* : D^-1 T* without
+  /// one. Pieces that nothing holds count without their rigid motion.
   double displacement = 0;
   double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to that of T*
   double peak = 0;          // that of T* [Pa]
