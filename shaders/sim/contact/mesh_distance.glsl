@@ -4,7 +4,8 @@ INPUT_FLOAT(ContactGrid, contact_grid)  // [nodes] of all meshes, x first [m]
 // a: first node, spacing; b: nodes along each axis, number of the first one. xyz gradient, w distance [m].
 vec4 mesh_distance(vec4 a, vec4 b, vec3 x) {
   vec3 place = (x - a.xyz) / a.w, inner = clamp(place, vec3(0.5), b.xyz - 1.5), middle = min(floor(inner + 0.5), b.xyz - 2.0);
-  vec3 t = inner - middle;
+  // Counted from the node, so that only the rounding of x is in it: coordinates in spacings have fewer digits.
+  vec3 t = inner == place ? (x - (a.xyz + middle * a.w)) / a.w : inner - middle;
   // Columns: the nodes; rows: the axes.
   mat3 value = mat3(0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t));
   mat3 slope = mat3(t - 0.5, -2.0 * t, t + 0.5);

@@ -1,5 +1,7 @@
 // Functions of the displacement gradient H = F - I that laws share. Written in H, so that small strains lose no
 // accuracy to terms that cancel at rest. sim/material/invariants.h has the formulas.
+#include "common/symmetric.glsl"
+#include "common/tet.glsl"
 
 // Cofactors of F, dJ/dF, minus the identity.
 mat3 cofactor_minus_one(mat3 h) {
@@ -17,6 +19,22 @@ float inner(mat3 a, mat3 b) { return dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2
 // The tensor cross product: F x A is the derivative of the cofactors along A, F : (A x B) the second one of J.
 mat3 tensor_cross(mat3 a, mat3 b) {
   return mat3(cross(a[1], b[2]) + cross(b[1], a[2]), cross(a[2], b[0]) + cross(b[2], a[0]), cross(a[0], b[1]) + cross(b[0], a[1]));
+}
+
+// J - 1, tr E - (J - 1) and the sum of the principal minors of E from the Green strain E, by J^2 = det(I + 2 E). Energies of small strains are of second order in
+// E. In H, of which a turn of the tet is a part, they would be differences of terms of second order in the turn, whose
+// rounding is more than the energy where strains are less than a thousandth of the turn.
+struct Growth {
+  float j1, excess, minors;
+};
+Growth growth_of(mat3 h, Sym3 e) {
+  float trace_e = trace(e), plain = det_f_minus_one(h);
+  float minors = e.d.x * e.d.y + e.d.y * e.d.z + e.d.z * e.d.x - dot(e.s, e.s);
+  float higher = 4.0 * minors + 8.0 * (e.d.x * e.d.y * e.d.z + 2.0 * e.s.x * e.s.y * e.s.z - dot(e.d, e.s * e.s));
+  float squared = 2.0 * trace_e + higher;  // J^2 - 1
+  if (!(plain > -0.5) || !(squared > -0.9)) return Growth(plain, trace_e - plain, minors);
+  float j1 = squared / (1.0 + sqrt(1.0 + squared));
+  return Growth(j1, (trace_e * j1 - higher) / (2.0 + j1), minors);
 }
 
 // x - log(1 + x).

@@ -10,14 +10,16 @@ MooneyRivlin mooney_rivlin_of(vec4 material) {
 
 Elastic mooney_rivlin_response(mat3 h, vec4 material) {
   MooneyRivlin m = mooney_rivlin_of(material);
-  float j1 = det_f_minus_one(h), trace = h[0].x + h[1].y + h[2].z, higher = j1 - trace;
-  OfVolume above = above_extended_log(j1, LEAST_VOLUME_RATIO), volume = volume_term(j1, m.k);
+  Sym3 e = green_strain(h);
+  Growth growth = growth_of(h, e);
+  float trace_h = h[0].x + h[1].y + h[2].z;
+  OfVolume above = above_extended_log(growth.j1, LEAST_VOLUME_RATIO), volume = volume_term(growth.j1, m.k);
   mat3 c1 = cofactor_minus_one(h);
   float trace_c = c1[0].x + c1[1].y + c1[2].z;
   // F x C - 2 I - 2 C1, without the identities that cancel.
-  mat3 second = mat3(trace + trace_c) - transpose(h) - transpose(c1) + tensor_cross(h, c1) - 2.0 * c1;
+  mat3 second = mat3(trace_h + trace_c) - transpose(h) - transpose(c1) + tensor_cross(h, c1) - 2.0 * c1;
   return Elastic(m.two_c1 * (h - c1) + m.two_c2 * second + (m.d * above.first + volume.first) * (mat3(1.0) + c1),
-                 m.two_c1 * (0.5 * inner(h, h) - higher) + m.two_c2 * (0.5 * inner(c1, c1) - higher - dot(h[0], cross(h[1], h[2]))) +
+                 m.two_c1 * growth.excess + 2.0 * m.two_c2 * (growth.excess + growth.minors) +
                      m.d * above.value + volume.value);
 }
 

@@ -1,12 +1,12 @@
 // Compressible neo-Hookean material (sim/material/neo_hookean.cpp), written in H = F - I and C1 = cof F - I:
 //   P = mu (H - C1) + (mu (1 - l'(J)) + lambda v'(J)) C
 Elastic neo_hookean_response(mat3 h, vec4 material) {
-  float mu = lame_mu(material), j1 = det_f_minus_one(h);
-  OfVolume above = above_extended_log(j1, LEAST_VOLUME_RATIO), volume = volume_term(j1, lame_lambda(material));
+  Growth growth = growth_of(h, green_strain(h));
+  float mu = lame_mu(material);
+  OfVolume above = above_extended_log(growth.j1, LEAST_VOLUME_RATIO), volume = volume_term(growth.j1, lame_lambda(material));
   mat3 cofactor1 = cofactor_minus_one(h);
-  float higher = j1 - (h[0].x + h[1].y + h[2].z);
   return Elastic(mu * (h - cofactor1) + (mu * above.first + volume.first) * (mat3(1.0) + cofactor1),
-                 mu * (0.5 * inner(h, h) - higher + above.value) + volume.value);
+                 mu * (growth.excess + above.value) + volume.value);
 }
 
 // Second derivative of the energy density along a and b, changes of F.

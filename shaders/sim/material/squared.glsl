@@ -7,12 +7,13 @@ float squared_least_ratio(vec4 material) {
 }
 
 Elastic squared_response(mat3 h, vec4 material) {
-  float mu = lame_mu(material), j1 = det_f_minus_one(h), i3 = stretch_invariant(h);
-  OfVolume above = above_extended_log(j1, squared_least_ratio(material)), volume = volume_term(j1, lame_lambda(material) - 2.0 / 3.0 * mu);
+  Sym3 e = green_strain(h);
+  Growth growth = growth_of(h, e);
+  float mu = lame_mu(material), i3 = 2.0 * trace(e);
+  OfVolume above = above_extended_log(growth.j1, squared_least_ratio(material)), volume = volume_term(growth.j1, lame_lambda(material) - 2.0 / 3.0 * mu);
   mat3 cofactor1 = cofactor_minus_one(h);
-  float higher = j1 - (h[0].x + h[1].y + h[2].z);
   return Elastic(mu * (h - cofactor1) + mu / 3.0 * i3 * (mat3(1.0) + h) + (mu * above.first + volume.first) * (mat3(1.0) + cofactor1),
-                 mu * (0.5 * inner(h, h) - higher + above.value + i3 * i3 / 12.0) + volume.value);
+                 mu * (growth.excess + above.value + i3 * i3 / 12.0) + volume.value);
 }
 
 // Second derivative of the energy density along a and b, changes of F.

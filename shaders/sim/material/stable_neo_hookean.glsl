@@ -5,13 +5,13 @@ float stable_neo_hookean_mu(vec4 material) { return 4.0 / 3.0 * lame_mu(material
 float stable_neo_hookean_lambda(vec4 material) { return lame_lambda(material) + 5.0 / 6.0 * lame_mu(material); }
 
 Elastic stable_neo_hookean_response(mat3 h, vec4 material) {
-  float mu = stable_neo_hookean_mu(material), lambda = stable_neo_hookean_lambda(material), j1 = det_f_minus_one(h), i3 = stretch_invariant(h);
+  float mu = stable_neo_hookean_mu(material), lambda = stable_neo_hookean_lambda(material);
+  Sym3 e = green_strain(h);
+  Growth growth = growth_of(h, e);
+  float j1 = growth.j1, i3 = 2.0 * trace(e);
   mat3 cofactor1 = cofactor_minus_one(h), f = mat3(1.0) + h;
-  // Second invariant of H and its determinant, J - 1 - tr H.
-  float higher = j1 - (h[0].x + h[1].y + h[2].z);
-  float squares = 0.5 * (dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]));
   return Elastic(lambda * j1 * (mat3(1.0) + cofactor1) + 0.75 * mu * (h - cofactor1) + 0.25 * mu * i3 / (i3 + 4.0) * f,
-                 mu * (0.75 * (squares - higher) + 0.5 * above_logarithm(0.25 * i3)) + 0.5 * lambda * j1 * j1);
+                 mu * (0.75 * growth.excess + 0.5 * above_logarithm(0.25 * i3)) + 0.5 * lambda * j1 * j1);
 }
 
 // Second derivative of the energy density along a and b, changes of F.

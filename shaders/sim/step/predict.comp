@@ -25,9 +25,10 @@ float copies(uint i) { return 1.0; }
 INPUT_UINT(Unconstrained, unconstrained)  // [vertex_count] not 0: starts with gravity
 #endif
 #ifdef EXTRAPOLATES
-// [vertex_count] u and v at the start of the stage or substep before; this stage's own at the end of this pass
+// [vertex_count] u and v at the start of the stage or substep before; u becomes this stage's own at the end of this pass,
+// v with the velocities
 INOUT(vec4, EarlierDisplacement, earlier_displacement)
-INOUT(vec4, EarlierVelocity, earlier_velocity)
+INPUT_VEC4(EarlierVelocity, earlier_velocity)
 #endif
 OUTPUT(vec4, PreviousDisplacement, previous_displacement)  // [vertex_count] u* [m]
 OUTPUT(vec4, Predicted, predicted)
@@ -51,10 +52,9 @@ void main() {
   vec3 v = FETCH(velocity, i).xyz;
   vec3 from = u + EXTRAPOLATION * (u - earlier_displacement[i].xyz);
   vec3 drift = inv_mass > 0.0 ? STAGE_DURATION * v : vec3(0.0);
-  vec3 inertial = rests ? vec3(0.0) : SUBSTEP * (v + EXTRAPOLATION * (v - earlier_velocity[i].xyz));
+  vec3 inertial = rests ? vec3(0.0) : SUBSTEP * (v + EXTRAPOLATION * (v - FETCH(earlier_velocity, i).xyz));
   if (rests) from = u;
   earlier_displacement[i] = vec4(u, 0.0);
-  earlier_velocity[i] = vec4(v, 0.0);
   vec3 all = from + (inertial + fall);
 #else
   vec3 inertial = rests ? vec3(0.0) : SUBSTEP * FETCH(velocity, i).xyz;

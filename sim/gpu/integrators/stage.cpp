@@ -68,13 +68,19 @@ Passes strains_at_start(const Recording& r) {
 }
 
 gl::ComputePass velocity_update(const Recording& r) {
-  return r.over_vertices("sim/step/velocity.comp", {},
-                         {{"step", &r.buffers.step},
-                          {"displacement", &r.buffers.displacement},
-                          {"previous_displacement", &r.buffers.previous_displacement},
-                          {"predicted", &r.buffers.predicted},
-                          {"velocity", &r.buffers.velocity},
-                          {"diverged", &r.buffers.diverged}});
+  gl::Defines defines;
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
+                                     {"displacement", &r.buffers.displacement},
+                                     {"previous_displacement", &r.buffers.previous_displacement},
+                                     {"predicted", &r.buffers.predicted},
+                                     {"velocity_before", &r.buffers.velocity},
+                                     {"velocity", &r.buffers.velocity},
+                                     {"diverged", &r.buffers.diverged}};
+  if (r.buffers.earlier_displacement) {
+    defines.emplace_back("EXTRAPOLATES", "1");
+    bindings.emplace_back("earlier_velocity", &r.buffers.earlier_velocity);
+  }
+  return r.over_vertices("sim/step/velocity.comp", defines, std::move(bindings));
 }
 
 }  // namespace fascia
