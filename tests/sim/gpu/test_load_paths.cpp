@@ -180,7 +180,7 @@ TEST_CASE("columns that buckle have the same states by storage blocks and by tex
   Model folds = column({2, 14, 2}, {0.03, 0.25, 0.03}, 4e3);
   folds.contact.self = true;
   folds.tools = {tool_of("ground", PlaneShape{{0, -0.01, 0}, {0, 1, 0}}, {{}})};
-  const Run folded = check_paths(paths, folds, settings, {24});
+  const Run folded = check_paths(paths, folds, settings, {22});
   CHECK(folded.numbers.tool_loads.front().points > 0);
   CHECK(folded.numbers.pair_loads.size() == 1);
 }
