@@ -56,9 +56,10 @@ FinerSolution::FinerSolution(const Model& model, const State& state, ElementOrde
 }
 
 void FinerSolution::keep_free_pieces() {
-  for (std::vector<std::uint32_t>& vertices : free_pieces(refined_.model.tets, refined_.held)) {
+  for (const std::vector<std::uint32_t>& corners : free_pieces(refined_.model.tets, refined_.held)) {
+    std::vector<std::uint32_t> vertices = corners;
     for (const MidEdge& edge : refined_.edges)
-      if (std::binary_search(vertices.begin(), vertices.end(), edge.a)) vertices.push_back(edge.vertex);
+      if (std::binary_search(corners.begin(), corners.end(), edge.a)) vertices.push_back(edge.vertex);
     Vectors places;
     for (const std::uint32_t v : vertices)
       places.push_back(refined_.model.rest_positions[v] + refined_.state.displacement[v]);

@@ -106,8 +106,8 @@ class BetterStress {
     for (const std::optional<FinerSolution>& finer : finer_) {
       if (!finer) continue;
       const std::vector<Vector3d> moved = finer->displacements();
-      for (std::size_t v = 0; v < result.size(); ++v)
-        if (moved[v] != state_.displacement[v]) result[v] = moved[v];
+      // Those of tets of the other kind are the state's.
+      for (std::size_t v = 0; v < result.size(); ++v) result[v] += moved[v] - state_.displacement[v];
     }
     return result;
   }
@@ -146,13 +146,8 @@ class BetterStress {
   std::optional<RecoveredStress> recovered_;
 };
 
-/// Squares of a distance and of what it is relative to, over the volume.
-struct Squares {
-  double distance = 0, whole = 0, volume = 0;  // [m^2 m^3], [m^3]
-};
-
-/// Of the displacements to better ones. Of pieces that nothing holds the whole is what they are deformed by.
-Squares squares_of(const Model& model, const State& state, const std::vector<Vector3d>& better) {
+/// Of the displacements to better ones, over these; of pieces that nothing holds, over what they are deformed by.
+double relative_error(const Model& model, const State& state, const std::vector<Vector3d>& better) {
   std::vector<double> volumes(better.size(), 0);
   for (std::size_t t = 0; t < model.tets.size(); ++t)
     for (const std::uint32_t v : model.tets[t]) volumes[v] += volume_of(model, t) / 4;
@@ -166,13 +161,12 @@ Squares squares_of(const Model& model, const State& state, const std::vector<Vec
     const std::vector<Vector3d> left = deformation(rest, now);
     for (std::size_t k = 0; k < piece.size(); ++k) whole[piece[k]] = left[k];
   }
-  Squares sum;
+  double distance = 0, size = 0;
   for (std::size_t v = 0; v < better.size(); ++v) {
-    sum.distance += volumes[v] * (better[v] - state.displacement[v]).squaredNorm();
-    sum.whole += volumes[v] * whole[v].squaredNorm();
-    sum.volume += volumes[v];
+    distance += volumes[v] * (better[v] - state.displacement[v]).squaredNorm();
+    size += volumes[v] * whole[v].squaredNorm();
   }
-  return sum;
+  return distance > 0 ? std::sqrt(distance / size) : 0;
 }
 
 }  // namespace
@@ -201,10 +195,8 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
   }
   if (!(whole > 0)) return result;
   result.displacement = std::abs(work) / whole;
-  if (const std::vector<Vector3d> moved = found.displacements(); !moved.empty()) {
-    const Squares squares_of_all = squares_of(model, state, moved);
-    result.displacement = std::sqrt(squares_of_all.distance / squares_of_all.whole);
-  }
+  if (const std::vector<Vector3d> moved = found.displacements(); !moved.empty())
+    result.displacement = relative_error(model, state, moved);
   std::transform(squares.begin(), squares.end(), result.tets.begin(),
                  [&](double mean) { return static_cast<float>(std::sqrt(mean / (whole / all))); });
   result.peak = exceeded_by_a_hundredth(better, volumes);

@@ -1,18 +1,16 @@
 // How far a state is from that of an infinitely fine mesh under the same forces, estimated from the state alone: by
-// the distance to a finer solution (sim/accuracy/finer_solution.h), and by its stress T* beside T of the tets,
-//
-//   w = int (T* - T) : D^-1 (T* - T) dV       (Zienkiewicz, Zhu 1987),
-//
-// or, of quadratic tets, which take the change of volume theta of their energy on average and may be too soft rather
-// than too stiff, the difference of the energies.
+// the distance to a finer solution (sim/accuracy/finer_solution.h), whose stress T* stands beside T of the tets.
 //
 // Where there is no finer solution, or the tets are too many for it, T* is recovered by patches
-// (sim/accuracy/recovered_stress.h), and with theta* of T* and K of volume_split()
+// (sim/accuracy/recovered_stress.h), and the estimate is w over int T* : D^-1 T* (Zienkiewicz, Zhu 1987), with theta*
+// of T* and K of volume_split()
 //
 //   w = int (T* - T) : D^-1 (T* - T), of the pointwise theta, - K (theta - mean theta)^2 dV
 //
-// where linear tets have nothing to average. D is that of the law at rest. By Galerkin's orthogonality w is also what
-// the load's work is short of: it then stands for the relative error of the displacements, each weighted by its load.
+// where linear tets have nothing to average, and quadratic ones, which take the change of volume theta of their energy
+// on average, may be too soft rather than too stiff. D is that of the law at rest. By Galerkin's orthogonality w is
+// what the load's work is short of: it stands for the relative error of the displacements, each weighted by its load.
+//
 // The estimate of a moving body is that of the shape that its current forces would hold: it has nothing of the error in
 // the frequencies that has added up.
 #pragma once

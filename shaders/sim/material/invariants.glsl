@@ -21,9 +21,10 @@ mat3 tensor_cross(mat3 a, mat3 b) {
   return mat3(cross(a[1], b[2]) + cross(b[1], a[2]), cross(a[2], b[0]) + cross(b[2], a[0]), cross(a[0], b[1]) + cross(b[0], a[1]));
 }
 
-// J - 1, tr E - (J - 1) and the sum of the principal minors of E from the Green strain E, by J^2 = det(I + 2 E). Energies of small strains are of second order in
-// E. In H, of which a turn of the tet is a part, they would be differences of terms of second order in the turn, whose
-// rounding is more than the energy where strains are less than a thousandth of the turn.
+// J - 1, tr E - (J - 1) and the sum of the principal minors of E, from the Green strain E by J^2 = det(I + 2 E). Energies
+// of small strains are of second order in E. In H, of which a turn of the tet is a part, they would be differences of
+// terms of second order in the turn, whose rounding is more than the energy where strains are less than a thousandth of
+// the turn.
 struct Growth {
   float j1, excess, minors;
 };

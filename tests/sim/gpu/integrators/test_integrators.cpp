@@ -75,6 +75,54 @@ TEST_CASE("steps of every integrator follow the reference solver", "[gpu]") {
   CHECK(speed_error < 2e-4);  // differences of displacements over a stage
 }
 
+TEST_CASE("what nothing holds falls as it should in short steps", "[gpu]") {
+  const Integrator integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2, Integrator::sdirk2);
+  Gpu gpu;
+  Model model = bar();
+  model.fixed.clear();
+  if (GENERATE(false, true)) model = quadratic(model);
+  SolverSettings settings;
+  settings.integrator = integrator;
+  settings.substeps = 64;
+  settings.iterations = 3;
+  settings.rest_speed = 0;
+  GpuSolver solver(gpu.programs, model, settings);
+  constexpr int kSteps = 20;
+  for (int k = 0; k < kSteps; ++k) solver.step();
+  const Vector3d expected = kSteps * settings.time_step * model.gravity;
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& v : solver.download().velocity) mean += v / static_cast<double>(model.rest_positions.size());
+  const double error = (mean - expected).norm() / expected.norm();
+  CAPTURE(name_of(integrator), model.has_quadratic(), error);
+  CHECK(error < 1e-3);
+}
+
+TEST_CASE("vibrations of a millionth of the size are those of the reference solver", "[gpu]") {
+  const MaterialModel law = GENERATE(MaterialModel::squared, MaterialModel::neo_hookean,
+                                     MaterialModel::stable_neo_hookean, MaterialModel::mooney_rivlin);
+  Gpu gpu;
+  Model model = bar();
+  for (Material& material : model.materials) material.model = law;
+  if (GENERATE(false, true)) model = quadratic(model);
+  model.gravity = {0, -9.81e-4, 0};
+  SolverSettings settings;
+  settings.integrator = Integrator::sdirk2;
+  settings.time_step = 1e-3;
+  settings.rest_speed = 0;
+  GpuSolver solver(gpu.programs, model, settings);
+  reference::NewtonSolver reference(model, settings);
+  State exact = initial_state(model);
+  double largest = 0;
+  for (int k = 0; k < 60; ++k) {
+    solver.step();
+    REQUIRE(reference.step(exact).converged);
+    for (const Vector3d& u : exact.displacement) largest = std::max(largest, u.norm());
+  }
+  const double error = relative_rms(solver.download().displacement, exact.displacement);
+  CAPTURE(name_of(law), model.has_quadratic(), largest, error);
+  CHECK(error < 0.01);
+}
+
 TEST_CASE("methods of the paper take any integrator", "[gpu]") {
   const Integrator integrator = GENERATE(Integrator::bdf2, Integrator::sdirk2);
   Gpu gpu;
