@@ -97,7 +97,7 @@ TEST_CASE("what nothing holds falls as it should in short steps", "[gpu]") {
   CHECK(error < 1e-3);
 }
 
-TEST_CASE("vibrations of a millionth of the size are those of the reference solver", "[gpu]") {
+TEST_CASE("vibrations of a hundred-thousandth of the size are those of the reference solver", "[gpu]") {
   const MaterialModel law = GENERATE(MaterialModel::squared, MaterialModel::neo_hookean,
                                      MaterialModel::stable_neo_hookean, MaterialModel::mooney_rivlin);
   Gpu gpu;
@@ -112,15 +112,13 @@ TEST_CASE("vibrations of a millionth of the size are those of the reference solv
   GpuSolver solver(gpu.programs, model, settings);
   reference::NewtonSolver reference(model, settings);
   State exact = initial_state(model);
-  double largest = 0;
   for (int k = 0; k < 60; ++k) {
     solver.step();
     REQUIRE(reference.step(exact).converged);
-    for (const Vector3d& u : exact.displacement) largest = std::max(largest, u.norm());
   }
   const double error = relative_rms(solver.download().displacement, exact.displacement);
-  CAPTURE(name_of(law), model.has_quadratic(), largest, error);
-  CHECK(error < 0.01);
+  CAPTURE(name_of(law), model.has_quadratic(), error);
+  CHECK(error < 1e-4);  // with energies from the gradient of displacements 1.5e-3
 }
 
 TEST_CASE("methods of the paper take any integrator", "[gpu]") {
