@@ -23,6 +23,7 @@
 #include "sim/reference/newton.h"
 #include "sim/simulation/divergence.h"
 #include "sim/simulation/simulation.h"
+#include "sim/simulation/solver_error.h"
 #include "sim/simulation/time_error.h"
 #include "sim/simulation/true_error.h"
 #include "sim/simulation/worst_step.h"
@@ -103,14 +104,20 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     const StepError& error = measured.measure(simulation);
     stats.error = error.relative;
     worst.add(error, simulation.time());
-    errors.solver = worst.of_displacement();
+    errors.solver_step = worst.of_displacement();
     errors.solver_time = worst.time();
     errors.solver_steps = worst.compared();
+    errors.solver = errors.solver_step;
     errors.peak_stress.solver = error.peak_stress.solver;
+    if (const SolverError passed_on = estimate_solver_error(simulation, simulation.programs()); passed_on.complete) {
+      errors.solver_over_run = passed_on.over_run;
+      errors.solver = std::max(*errors.solver, passed_on.relative);
+      errors.peak_stress.solver = std::max(*errors.peak_stress.solver, passed_on.peak_stress);
+    }
     say("true error of the last step " + percent(error.relative) + ", largest " + number(error.largest) + " m" +
         (error.converged ? "" : " (the reference solver did not converge)"));
     say("largest error of the solver in " + plural(static_cast<std::size_t>(worst.compared()), "step") +
-        " compared: " + percent(*errors.solver) + " of the displacement, at " + number(worst.time()) + " s" +
+        " compared: " + percent(errors.solver_step) + " of the displacement, at " + number(worst.time()) + " s" +
         (simulation.model.tets.size() > WorstStep::kMostTets ? " (of so many tets only the last step is compared)"
                                                              : ""));
   }
@@ -133,6 +140,9 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
   say("of the displacement: " + causes(errors.solver, in_time(&TimeError::relative), errors.mesh) +
       "; of the peak stress: " +
       causes(errors.peak_stress.solver, in_time(&TimeError::peak_stress), errors.peak_stress.mesh) + " (estimates)");
+  if (errors.solver_over_run)
+    say("of the solver over the whole run: " + percent(*errors.solver_over_run) +
+        ", against the same run with steps that are solved");
   if (errors.time)
     say("in time over the whole run: " + percent(errors.time->over_run) +
         (errors.time->resolved ? ", falling with the length of steps to the power " + number(errors.time->order)

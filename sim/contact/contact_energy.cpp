@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "sim/tool/shape_distance.h"
-#include "sim/tool/tool_entry.h"
 
 namespace fascia {
 
@@ -57,9 +56,17 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
   }
 }
 
-void ContactEnergy::take_depths(const std::vector<float>& measured, const VectorXd& u) {
+void ContactEnergy::take_planes(const std::function<std::optional<ToolEntry>(std::uint32_t row)>& plane_at) {
   for (Row& row : rows_)
-    row.rounding += measured[surface_.pieces[row.piece].first_row + row.point] - contact_of(row, u).depth;
+    if (const std::optional<ToolEntry> plane = plane_at(memory_row(row))) {
+      row.normal = plane->normal;
+      row.plane = plane->offset;
+    }
+}
+
+void ContactEnergy::put_depths(std::vector<float>& depths, const VectorXd& u) const {
+  for (const Row& row : rows_) depths[memory_row(row)] = static_cast<float>(contact_of(row, u).depth);
+  pairs_.put_depths(depths, u);
 }
 
 Vector3d ContactEnergy::position(const ContactPoint& point, const VectorXd& u) const {
@@ -90,7 +97,7 @@ ContactEnergy::Contact ContactEnergy::contact_of(const Row& row, const VectorXd&
   }
   contact.normal = distance.normal;
   contact.curvature = distance.curvature;
-  contact.depth = 0.5 * model_.contact.thickness - distance.distance + row.rounding;
+  contact.depth = 0.5 * model_.contact.thickness - distance.distance;
   contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
   const Vector3d way = contact.x - row.anchor;
   contact.tangential = row.friction - row.sliding * (way - way.dot(row.normal) * row.normal);
@@ -164,7 +171,7 @@ ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
-    ContactForce& force = memory[surface_.pieces[row.piece].first_row + row.point];
+    ContactForce& force = memory[memory_row(row)];
     force.normal = contact.pressing;
     if (row.bearing > 0)
       force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);

@@ -15,6 +15,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #include "sim/contact/pair_energy.h"
 #include "sim/contact/tool_load.h"
 #include "sim/model/state.h"
+#include "sim/tool/tool_entry.h"
 #include "sim/tool/tool_motion.h"
 
 namespace fascia {
@@ -38,9 +40,10 @@ class ContactEnergy {
                 std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {},
                 const std::vector<double>& kept = {}, const std::vector<std::uint32_t>& near = {});
 
-  /// Rows have the depths from now on that another machine, of less precision, `measured` [rows of tools] at `u` [m],
-  /// and change with u from there.
-  void take_depths(const std::vector<float>& measured, const Eigen::VectorXd& u);
+  /// Planes that stand for pieces in the step (sim/tool/tool_entry.h), in the axes of the scene, by row of the memory.
+  void take_planes(const std::function<std::optional<ToolEntry>(std::uint32_t row)>& plane_at);
+  /// The depths of all rows at `u` [m], to [row of the memory].
+  void put_depths(std::vector<float>& depths, const Eigen::VectorXd& u) const;
 
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count], and to `magnitude` what
   /// times the machine epsilon bounds its rounding [J]: forces times the coordinates that they are computed from.
@@ -74,7 +77,6 @@ class ContactEnergy {
     double pressing;              // lambda
     double bearing;               // N of the step before, by which friction goes
     double sliding;               // c [N/m]
-    double rounding = 0;          // of the depth where it was measured [m]
     std::optional<double> plane;  // offset of the plane across `normal` that stands for the piece (tool_entry.h) [m]
   };
   struct Contact {
@@ -87,6 +89,7 @@ class ContactEnergy {
   static double reach_of(const Contact& contact, const Piece& placed);
   Eigen::Vector3d position(const ContactPoint& point, const Eigen::VectorXd& u) const;
   Eigen::Vector3d position(const ContactPoint& point, const std::vector<Eigen::Vector3d>& u) const;
+  std::uint32_t memory_row(const Row& row) const { return surface_.pieces[row.piece].first_row + row.point; }
   const Piece& piece_of(const Row& row) const { return pieces_[row.piece]; }
   const ContactPoint& point_of(const Row& row) const { return surface_.points[row.point]; }
 

@@ -115,13 +115,12 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   const bool looks = contact_.searches() || moves_bodies;
   Passes& last = looks ? passes.check : passes.end;
   last = method_->end(r);
-  if (moves_bodies && contact) append(last, contact_.depths(programs_, buffers_));
   if (stop_) {
     stop_->record(r, passes.before_first, passes.before,
                   {&passes.refresh, &passes.first_iteration, &passes.iteration, &passes.completion, &last});
     before_every_ = stop_->interval();
   }
-  append(passes.end, r.endings());
+  append(passes.end, r.endings(moves_bodies));
   passes.end.push_back(velocity_update(r));
   if (!fuses_ || (active && !programs_.fusing_rare()))
     for (const Passes* list : passes.lists())

@@ -138,7 +138,10 @@ void GpuSolver::end_iterations() {
     fused->check.run();
   else
     run(kind_->passes.check);
-  if (!is_partial() && !bodies_.empty()) move_bodies();
+  if (!is_partial() && !bodies_.empty())
+    move_bodies();
+  else if (touches())
+    contact_.forget_depths();
 }
 
 void GpuSolver::move_bodies() {

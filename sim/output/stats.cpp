@@ -74,6 +74,8 @@ Json to_json(const Errors& errors) {
   Json json = Json::object();
   if (errors.solver) {
     json["solver"] = *errors.solver;
+    if (errors.solver_over_run) json["solver_over_run"] = *errors.solver_over_run;
+    json["solver_step"] = errors.solver_step;
     json["solver_worst_s"] = errors.solver_time;
     json["solver_steps"] = errors.solver_steps;
   }

@@ -16,9 +16,11 @@ namespace fascia {
 
 /// What the last state is off by, told apart by cause: relative errors, of the displacements and of the peak stress.
 struct Errors {
-  std::optional<double> solver;  // WorstStep::of_displacement()
-  double solver_time = 0;        // [s] WorstStep::time()
-  int solver_steps = 0;          // WorstStep::compared()
+  std::optional<double> solver;           // the larger one of solver_step and SolverError::relative
+  double solver_step = 0;                 // WorstStep::of_displacement()
+  double solver_time = 0;                 // [s] WorstStep::time()
+  int solver_steps = 0;                   // WorstStep::compared()
+  std::optional<double> solver_over_run;  // SolverError::over_run
   std::optional<TimeError> time;
   double mesh = 0;  // MeshError
   PeakErrors peak_stress;

@@ -13,6 +13,20 @@ INPUT_UINT(ContactNear, contact_near)        // [points]
 INOUT(vec4, ContactMemoryNow, contact_memory_now)  // [rows] xyz t in the axes of the piece, w lambda [N]
 INOUT(vec4, ContactRow, contact_row)         // [rows] the anchor, then the force on the tissue [N], w depth [m], -1 if apart
 OUTPUT(vec4, ContactForce, contact_force)    // [points + pairs] xyz force, w the normal one [N]
+#if MOVED_BODIES
+// Bodies were moved as wholes to where these depths carry them. Those of rounded places do not where contact is stiff.
+INPUT_FLOAT(ContactDepth, contact_depth)     // [rows] -d [m], or NO_PLANE: of places
+#endif
+
+Row at_depth(Row r, uint row) {
+#if MOVED_BODIES
+  float depth = FETCH1(contact_depth, row);
+  if (depth == NO_PLANE) return r;
+  r.depth = depth;
+  r.pressing = max(0.0, r.before + r.penalty * depth);
+#endif
+  return r;
+}
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -22,7 +36,7 @@ void main() {
 #if PAIRS
   if (i >= points) {
     uint pair = i - points, row = row_of_pair(pair);
-    Row r = row_of(pair, u, contact_memory_now[row]);
+    Row r = at_depth(row_of(pair, u, contact_memory_now[row]), row);
     contact_memory_now[row] = vec4(within(r.across, friction_of_pair(pair) * r.pressing), r.pressing);
     contact_force[i] = vec4(force_of(r), r.pressing);
     return;
@@ -32,7 +46,7 @@ void main() {
   float kept = FETCH(contact_rest, 2u * i + 1u).x;
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = row_at(piece, row, rest, kept, u, contact_memory_now[row], contact_row[row]);
+    Row r = at_depth(row_at(piece, row, rest, kept, u, contact_memory_now[row], contact_row[row]), row);
     vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);

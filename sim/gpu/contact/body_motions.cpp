@@ -37,6 +37,22 @@ Matrix3d cross(const Vector3d& v) {
   return (Matrix3d() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
 }
 
+// Minus the second derivatives of f . (w x (w x r)) / 2 by a turn w, summed over forces: of `moments`, sum of f r^T.
+Matrix3d of_turned_arms(const Matrix3d& moments) {
+  return moments.trace() * Matrix3d::Identity() - 0.5 * (moments + moments.transpose());
+}
+
+// Of inertia, turned arms take this much at most: no turn is best where they take more, as of what falls over its edge.
+constexpr double kMostTaken = 0.9;
+
+Matrix3d turning_of(const BodyInertia& body, double length) {
+  const Matrix3d turned = of_turned_arms(body.missing_arms + length * length * body.moments);
+  for (double share = 1; share > 0.1; share *= 0.5)
+    if ((kMostTaken * body.turning + share * turned).llt().info() == Eigen::Success)
+      return body.turning + share * turned;
+  return body.turning;
+}
+
 // The unknowns of a body: its way, and its turn times its radius of gyration.
 class Problem {
  public:
@@ -57,7 +73,7 @@ class Problem {
       if (first_[b] < 0) continue;
       const double per_square = 1 / (length * length), turned = per_square / radius_[b];
       inertia_.block<3, 3>(first_[b], first_[b]).diagonal().setConstant(bodies[b].mass * per_square);
-      inertia_.block<3, 3>(first_[b] + 3, first_[b] + 3) = turned / radius_[b] * bodies[b].turning;
+      inertia_.block<3, 3>(first_[b] + 3, first_[b] + 3) = turned / radius_[b] * turning_of(bodies[b], length);
       pull_.segment<3>(first_[b]) = per_square * bodies[b].missing;
       pull_.segment<3>(first_[b] + 3) = turned * bodies[b].missing_turn;
     }
@@ -85,9 +101,7 @@ class Problem {
     if (hessian) *hessian = inertia_;
     for (const BodyContact& c : contacts_) {
       const Side sides[] = {side(c, 0), side(c, 1)};
-      Vector3d way(0, 0, 0);
-      for (const Side& s : sides)
-        if (s.first >= 0) way += s.sign * (d.segment<3>(s.first) + d.segment<3>(s.first + 3).cross(s.arm));
+      const Vector3d way = way_of(sides, d);
       const Pressing pressing = pressing_of(c.before + c.stiffness * (c.depth - c.normal.dot(way)), round);
       energy += pressing.integral / c.stiffness;
       Vector3d force = pressing.force * c.normal;
@@ -112,6 +126,13 @@ class Problem {
     std::vector<BodyMotion> result(first_.size());
     for (std::size_t b = 0; b < first_.size(); ++b)
       if (first_[b] >= 0) result[b] = {d.segment<3>(first_[b]), d.segment<3>(first_[b] + 3) / radius_[b]};
+    for (const BodyContact& c : contacts_) {
+      const Side sides[] = {side(c, 0), side(c, 1)};
+      const Vector3d force = force_of(c, way_of(sides, d));
+      for (std::size_t k = 0; k < 2; ++k)
+        if (const Side& s = sides[k]; s.first >= 0)
+          result[c.bodies[k]].moments += s.sign * radius_[c.bodies[k]] * force * s.arm.transpose();
+    }
     return result;
   }
 
@@ -126,6 +147,18 @@ class Problem {
     const std::uint32_t body = c.bodies[k];
     if (body == BodyContact::kTool || first_[body] < 0) return {-1, 0, {0, 0, 0}};
     return {first_[body], k == 0 ? 1.0 : -1.0, (c.places[k] - bodies_[body].center) / radius_[body]};
+  }
+  // Of the sides against each other.
+  static Vector3d way_of(const Side (&sides)[2], const VectorXd& d) {
+    Vector3d way(0, 0, 0);
+    for (const Side& s : sides)
+      if (s.first >= 0) way += s.sign * (d.segment<3>(s.first) + d.segment<3>(s.first + 3).cross(s.arm));
+    return way;
+  }
+  static Vector3d force_of(const BodyContact& c, const Vector3d& way) {
+    const Vector3d force = std::max(0.0, c.before + c.stiffness * (c.depth - c.normal.dot(way))) * c.normal;
+    if (c.bound <= 0) return force;
+    return force + within(c.tangential - c.sliding * (way - way.dot(c.slip_normal) * c.slip_normal), c.bound);
   }
   // `block`: the second derivatives by the way of the sides against each other.
   static void add(const Matrix3d& block, const Side (&sides)[2], MatrixXd& hessian) {
@@ -238,20 +271,23 @@ std::vector<BodyInertia> BodyMotions::inertia_of(const std::vector<Vector3d>& pr
     const Vector3d arm = x - body.center;
     body.turning += mass * (arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose());
     body.missing_turn += mass * arm.cross(way);
+    body.missing_arms += mass * way * arm.transpose();
   });
   return bodies;
 }
 
 bool BodyMotions::move(const ContactEnergy* contact, const std::vector<Vector3d>& predicted, double length,
                        std::vector<Vector3d>& u) const {
-  constexpr int kMostPasses = 4;        // turns are not small
+  constexpr int kMostPasses = 8;        // turns are not small
   constexpr double kLargestTurn = 0.5;  // [rad] in a pass
   const double least = 1e-12 * size_;   // [m] of displacements, which are finer than places
   bool moves = false;
+  std::vector<BodyMotion> motions(free_.size());
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    const std::vector<BodyInertia> inertia = inertia_of(predicted, u);
+    std::vector<BodyInertia> inertia = inertia_of(predicted, u);
+    for (std::size_t b = 0; b < motions.size(); ++b) inertia[b].moments = motions[b].moments;
     const auto contacts = contact ? contact->of_bodies(bodies_, flat(u)) : std::vector<BodyContact>();
-    std::vector<BodyMotion> motions = best_motions(inertia, contacts, length, least);
+    motions = best_motions(inertia, contacts, length, least);
     for (BodyMotion& motion : motions)
       if (const double angle = motion.turn.norm(); angle > kLargestTurn) motion.turn *= kLargestTurn / angle;
     bool turns = false;

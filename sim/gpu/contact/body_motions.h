@@ -2,6 +2,10 @@
 // change with these, so that inertia and contact alone say where it is: a convex problem of six unknowns for each body
 // where turns are small, solved in double precision. Iterations find these directions late where contact is stiff: a
 // step that presses too much is shortened as a whole, and bodies that slide, tip or part lose their momentum with it.
+//
+// A turn w moves a place r by w x r + w x (w x r) / 2. Forces at the ends of arms change its curvature by the second
+// part, which a ball of a centimeter that rolls on its facets needs half of: its inertia is that small in steps of 1/60
+// s.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
@@ -15,16 +19,19 @@ namespace fascia {
 
 /// What inertia asks of a body.
 struct BodyInertia {
-  double mass = 0;                                    // [kg]; 0: it stays
-  Eigen::Vector3d missing{0, 0, 0};                   // sum of m (u~ - u) over its masses [kg m]
-  Eigen::Vector3d center{0, 0, 0};                    // of mass [m]
-  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();  // sum of m (r.r 1 - r r^T), r from the center [kg m^2]
-  Eigen::Vector3d missing_turn{0, 0, 0};              // sum of r x m (u~ - u) [kg m^2]
+  double mass = 0;                                         // [kg]; 0: it stays
+  Eigen::Vector3d missing{0, 0, 0};                        // sum of m (u~ - u) over its masses [kg m]
+  Eigen::Vector3d center{0, 0, 0};                         // of mass [m]
+  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();       // sum of m (r.r 1 - r r^T), r from the center [kg m^2]
+  Eigen::Vector3d missing_turn{0, 0, 0};                   // sum of r x m (u~ - u) [kg m^2]
+  Eigen::Matrix3d missing_arms = Eigen::Matrix3d::Zero();  // sum of m (u~ - u) r^T [kg m^2]
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();       // of contact, as far as they are known: sum of f r^T [N m]
 };
 
 /// x goes to x + way + turn x (x - center), or to where a turn by that vector takes it.
 struct BodyMotion {
-  Eigen::Vector3d way{0, 0, 0}, turn{0, 0, 0};  // [m], [rad]
+  Eigen::Vector3d way{0, 0, 0}, turn{0, 0, 0};        // [m], [rad]
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // of contact there: sum of f r^T [N m]
 };
 
 /// [body] the motions in a stage of this length [s], to `least` [m]. Tools count as the planes that they are where

@@ -59,8 +59,8 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
   return pass;
 }
 
-gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* kernel,
-                                       gl::ComputePass::Bindings more) const {
+gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
+                                       const gl::Defines& defined) const {
   more.insert(more.end(), {{"contact_pieces", &pieces_},
                            {"contact_vertices", &vertices_},
                            {"contact_weights", &weights_},
@@ -75,6 +75,7 @@ gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* k
     constants.emplace_back("points", point_count());
   }
   gl::Defines listed = defines();
+  listed.insert(listed.end(), defined.begin(), defined.end());
   listed.emplace_back("DEFERRED", "1");
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
   gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
@@ -194,18 +195,14 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
   return passes;
 }
 
-EnergyTerm::Passes ContactTerm::depths(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  if (surface_.empty()) return {};
-  return {over_near(programs, "sim/contact/contact_depth.comp",
-                    {{"displacement", &buffers.displacement}, {"contact_depth", &depths_}})};
-}
-
-EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers) const {
-  return {over_near(programs, "sim/contact/contact_finish.comp",
-                    {{"displacement", &buffers.displacement},
-                     {"contact_memory_now", &buffers.contact_memory},
-                     {"contact_row", &rows_},
-                     {"contact_force", &forces_}})};
+EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers, bool moves_bodies) const {
+  gl::ComputePass::Bindings bindings{{"displacement", &buffers.displacement},
+                                     {"contact_memory_now", &buffers.contact_memory},
+                                     {"contact_row", &rows_},
+                                     {"contact_force", &forces_}};
+  if (moves_bodies) bindings.emplace_back("contact_depth", &depths_);
+  return {over_near(programs, "sim/contact/contact_finish.comp", std::move(bindings),
+                    {{"MOVED_BODIES", moves_bodies ? "1" : "0"}})};
 }
 
 std::uint32_t ContactTerm::curvature_partials(const gl::ProgramCache& programs) const {

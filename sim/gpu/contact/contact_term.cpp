@@ -137,7 +137,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   list_ = gl::Buffer("contact_list", none);
   rows_ = gl::Buffer("contact_row", std::vector<vec4>(rows));
   normals_ = gl::Buffer("contact_normal", std::vector<vec4>(rows));
-  depths_ = gl::Buffer("contact_depth", std::vector<float>(rows));
+  depths_ = gl::Buffer("contact_depth", std::vector<float>(surface_.row_count + pairs_.row_count(), kNoPlane));
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   if (loads == gl::LoadPath::texel)
@@ -230,29 +230,46 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
   starts_.begin(model_.gravity, pairs_);
 }
 
-void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) const {
+void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) {
   std::vector<vec4> at(buffers.vertex_count), from(at.size()), aim(at.size());
   std::vector<vec4> left(surface_.row_count + pairs_.row_count());
   std::vector<std::uint32_t> near(point_count());
+  std::vector<vec4> normals(surface_.row_count);
   downloads.add(buffers.displacement, at.size() * sizeof(vec4), at.data());
   downloads.add(buffers.start_of_stage(), from.size() * sizeof(vec4), from.data());
   downloads.add(buffers.predicted, aim.size() * sizeof(vec4), aim.data());
   downloads.add(buffers.contact_before, left.size() * sizeof(vec4), left.data());
-  std::vector<float> depths(surface_.row_count);
   if (!near.empty()) {
     downloads.add(near_, near.size() * sizeof(std::uint32_t), near.data());
-    downloads.add(depths_, depths.size() * sizeof(float), depths.data());
+    downloads.add(normals_, normals.size() * sizeof(vec4), normals.data());
   }
   downloads.run();
   ContactMemory before = SimBuffers::contact_forces(left);
   for (const PairRow& row : pairs_.rows()) before[surface_.row_count + force_row(row.slot)].normal = row.before;
-  const std::vector<Vector3d> started = buffers.vectors_of(from);
+  const auto flat = [](const std::vector<Vector3d>& vectors) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXd>(vectors.data()->data(), 3 * static_cast<Eigen::Index>(vectors.size()));
+  };
+  ContactEnergy energy(model_, surface_, stiffness_, before, flat(buffers.vectors_of(from)), motion_, pairs_.rows(), {},
+                       kept_, near);
+  if (!near.empty())
+    energy.take_planes([&](std::uint32_t row) -> std::optional<ToolEntry> {
+      const vec4& plane = normals[row];
+      if (plane.w == kNoPlane) return std::nullopt;
+      const Vector3d normal(plane.x, plane.y, plane.z);
+      return ToolEntry{normal, plane.w + normal.dot(origin_)};
+    });
   std::vector<Vector3d> u = buffers.vectors_of(at);
-  const Eigen::VectorXd start =
-      Eigen::Map<const Eigen::VectorXd>(started.data()->data(), 3 * static_cast<Eigen::Index>(u.size()));
-  ContactEnergy energy(model_, surface_, stiffness_, before, start, motion_, pairs_.rows(), {}, kept_, near);
-  if (!near.empty()) energy.take_depths(depths, Eigen::Map<const Eigen::VectorXd>(u.data()->data(), start.size()));
   if (motions.move(&energy, buffers.vectors_of(aim), length_, u)) buffers.upload_displacements(u, at);
+  std::vector<float> depths(left.size());
+  energy.put_depths(depths, flat(u));
+  depths_.upload(0, depths.size() * sizeof(float), depths.data());
+  has_depths_ = true;
+}
+
+void ContactTerm::forget_depths() {
+  if (!std::exchange(has_depths_, false)) return;
+  const std::vector<float> none(surface_.row_count + pairs_.row_count(), kNoPlane);
+  depths_.upload(0, none.size() * sizeof(float), none.data());
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {

@@ -36,11 +36,11 @@ class ContactTerm : public EnergyTerm {
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; before its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
-  /// The depths of points in tools, before move_bodies().
-  Passes depths(gl::ProgramCache& programs, const SimBuffers& buffers) const;
-  /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes. Waits for the
-  /// GPU.
-  void move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) const;
+  /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes, and has the
+  /// forces at the end of the stage from depths in double precision. Waits for the GPU.
+  void move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads);
+  /// The forces at the end of the stage are those of the GPU's own depths.
+  void forget_depths();
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
@@ -58,7 +58,7 @@ class ContactTerm : public EnergyTerm {
   Passes advance(const Recording& recording, const gl::Buffer& step) const override;
   Passes evaluate(gl::ProgramCache& programs, const SimBuffers& buffers, const VertexBlocks* blocks) const override;
   bool evaluates_blocks() const override { return bool{sums_}; }
-  Passes finish(gl::ProgramCache& programs, const SimBuffers& buffers) const override;
+  Passes finish(gl::ProgramCache& programs, const SimBuffers& buffers, bool moves_bodies) const override;
   Passes curvature(gl::ProgramCache& programs, const SimBuffers& buffers, const TermCurvature& at) const override;
   Passes over_touched(gl::ProgramCache& programs, const char* kernel, gl::Defines defines,
                       gl::ComputePass::Bindings bindings) const override;
@@ -99,6 +99,7 @@ class ContactTerm : public EnergyTerm {
   static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
   static constexpr std::uint32_t kStretch = 256;   // of points that one invocation lists
   static constexpr std::size_t kPieceRows = 12;    // shaders/sim/contact/piece.glsl
+  static constexpr float kNoPlane = 3e38F;         // the same, and of no depth
 
   void make_grids();
   gl::Defines defines() const;  // of the shapes that there are, and whether there are pairs
@@ -108,7 +109,8 @@ class ContactTerm : public EnergyTerm {
   void upload_entries();
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass start_of_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
-  gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
+                            const gl::Defines& defined = {}) const;
   void bind_entries(gl::ComputePass::Bindings& bindings) const;  // shaders/sim/contact/entry.glsl
   std::uint32_t loops_of_point() const;
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(surface_.points.size()); }
@@ -141,6 +143,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<double> stiffness_, kept_;   // [point] of the penalty on depth [N/m]; kept_shares() of the stage
   double length_ = 0;                      // of the stage [s]
+  bool has_depths_ = false;                // of move_bodies() in depths_
   std::vector<shared::vec4> uploaded_;     // of pieces_
   std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()
   std::vector<shared::vec4> read_blocks_;  // of blocks_

@@ -67,7 +67,8 @@ class EnergyTerm {
   /// evaluates_blocks(); or null.
   virtual Passes evaluate(gl::ProgramCache&, const SimBuffers&, const VertexBlocks* /*blocks*/) const { return {}; }
   virtual bool evaluates_blocks() const { return false; }
-  virtual Passes finish(gl::ProgramCache&, const SimBuffers&) const { return {}; }  // of a stage
+  /// At the end of a stage, after which bodies may have been moved as wholes.
+  virtual Passes finish(gl::ProgramCache&, const SimBuffers&, [[maybe_unused]] bool moves_bodies) const { return {}; }
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }
   virtual std::uint32_t curvature_partials(const gl::ProgramCache&) const { return 0; }
   /// Of a term with blocks: a pass over the vertices on which it acts in a stage.

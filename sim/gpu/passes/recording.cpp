@@ -52,10 +52,10 @@ Passes Recording::evaluations(const VertexBlocks* blocks) const {
   return passes;
 }
 
-Passes Recording::endings() const {
+Passes Recording::endings(bool moves_bodies) const {
   Passes passes;
   for (const EnergyTerm* term : terms)
-    if (term->acts()) append(passes, term->finish(programs, buffers));
+    if (term->acts()) append(passes, term->finish(programs, buffers, moves_bodies));
   return passes;
 }
 

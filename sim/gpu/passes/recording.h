@@ -46,11 +46,11 @@ struct Recording {
   bool has_blocks() const;        // whether a term acts whose stiffness depends on the direction
   bool evaluates_blocks() const;  // whether evaluations() update them
   /// What external energies compute at the beginning of a stage, along its first step, before every gradient, and at
-  /// the end of a stage.
+  /// the end of a stage, which may move bodies as wholes first.
   Passes beginnings() const;
   Passes advances(const gl::Buffer& step) const;
   Passes evaluations(const VertexBlocks* blocks = nullptr) const;
-  Passes endings() const;
+  Passes endings(bool moves_bodies) const;
   /// Projects the external energies that act, after an iteration that does not descend the objective.
   Passes projections(bool first) const;
 

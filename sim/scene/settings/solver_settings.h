@@ -14,7 +14,7 @@ struct SolverSettings {
   int iterations = 10;            // per stage of a substep, at most
   double tolerance = 0;           // relative residual at which a step's iterations stop; 0: all are run
   double time_step = 1.0 / 60.0;  // dt [s] of a frame step
-  int substeps = 1;               // [ms] time limit of a step, which gets the iterations that fit; 0: no limit
+  int substeps = 1;               // parts of a step
   double frame_budget = 0;        // [ms] that a step may take: it gets the iterations that fit; 0: no limit
   int colors = 0;  // for gauss_seidel; 0: as many as the mesh needs, else phantoms limit them to this number
   double spectral_radius = 0;  // of the plain iteration, for chebyshev; 0: estimated during the run

@@ -193,6 +193,16 @@ TEST_CASE("the best motions balance inertia, contact and friction", "[contact]")
     alone.missing_turn = {0.001, -0.002, 0.003};
     CHECK((best_motions({alone}, {}, length, 1e-12)[0].turn - alone.missing_turn / turned).norm() < 1e-12);
   }
+  SECTION("a force at the end of an arm adds to the inertia against turns across it, or takes from that") {
+    BodyInertia alone = body(2, {0, 0, 0});
+    alone.missing_turn = {0.001, -0.002, 0.003};
+    const double arm = GENERATE(-0.02, 0.02), force = 40;
+    alone.moments = Vector3d(0, force, 0) * Vector3d(0, arm, 0).transpose();
+    const double across = turned + length * length * force * arm;
+    const Vector3d turn = best_motions({alone}, {}, length, 1e-12)[0].turn;
+    CAPTURE(arm, turn.transpose());
+    CHECK((turn - Vector3d(0.001 / across, -0.002 / turned, 0.003 / across)).norm() < 1e-12);
+  }
   SECTION("many points of which a few press: exact in a few rounded steps") {
     std::vector<BodyContact> contacts;
     for (int i = 0; i < 200; ++i) {
