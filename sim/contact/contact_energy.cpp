@@ -44,8 +44,8 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.friction.setZero();
       if (!aim.empty())
         if (const auto entry =
-                entry_into(tool.shape, after.to_local(position(surface.points[p], start)),
-                           after.to_local(position(surface.points[p], aim)), 0.5 * model.contact.thickness)) {
+                entry_into(tool.shape, local, after.to_local(position(surface.points[p], aim)),
+                           after.to_local(position(surface.points[p], start)), 0.5 * model.contact.thickness)) {
           row.normal = after.axes * entry->normal;
           row.plane = entry->offset + row.normal.dot(after.origin);
         }

@@ -67,7 +67,8 @@ ToolMotion GpuSolver::next_tools() const {
 void GpuSolver::place_tools(const IntegratorStage& stage) {
   if (!contact_.acts()) return;
   const double from = (time_ - step_begin_) / settings_.time_step;
-  stage_motion_ = step_motion_.part(from, from + stage.duration / settings_.time_step);
+  stage_motion_ = part_of(given_.tools, {step_motion_, step_begin_, step_begin_ + settings_.time_step}, from,
+                          from + stage.duration / settings_.time_step);
   if (!touches()) return;
   contact_.begin_stage(stage_motion_, time_ + stage.duration, stage, buffers_);
 }

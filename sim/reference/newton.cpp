@@ -359,11 +359,12 @@ NewtonReport NewtonSolver::step(State& state) {
   report.converged = true;
   const SolverSettings& settings = impl_->settings;
   const double start = state.time, whole = settings.time_step;
-  const ToolMotion motion = impl_->motion_within(start, start + whole);
+  const TimedMotion motion{impl_->motion_within(start, start + whole), start, start + whole};
   for (int k = 0; k < settings.substeps; ++k) {
     for (const IntegratorStage& stage : stages_of(settings.integrator, settings.substep(), state.earlier.step)) {
       const double from = (state.time - start) / whole;
-      const NewtonReport part = impl_->solve(stage, motion.part(from, from + stage.duration / whole), state);
+      const NewtonReport part =
+          impl_->solve(stage, part_of(impl_->model.tools, motion, from, from + stage.duration / whole), state);
       report.iterations += part.iterations;
       report.relative_residual = std::max(report.relative_residual, part.relative_residual);
       report.converged = report.converged && part.converged;

@@ -6,8 +6,10 @@ namespace fascia {
 
 using Eigen::Vector3d;
 
-std::optional<ToolEntry> entry_into(const ToolShape& shape, const Vector3d& from, const Vector3d& to,
-                                    double half_thickness) {
+namespace {
+
+std::optional<ToolEntry> entry_on(const ToolShape& shape, const Vector3d& from, const Vector3d& to,
+                                  double half_thickness) {
   constexpr double kNear = 0.01;     // of the way
   constexpr double kSameSide = 0.5;  // least cosine between the normals at the entry and at the end
   const Vector3d way = to - from;
@@ -27,6 +29,14 @@ std::optional<ToolEntry> entry_into(const ToolShape& shape, const Vector3d& from
   if (deepest >= -kNear * size || at_entry.normal.dot(at_end.normal) >= kSameSide) return std::nullopt;
   const Vector3d normal = at_entry.normal.normalized();
   return ToolEntry{normal, normal.dot(place) - at_entry.distance};
+}
+
+}  // namespace
+
+std::optional<ToolEntry> entry_into(const ToolShape& shape, const Vector3d& from, const Vector3d& to,
+                                    const Vector3d& stay, double half_thickness) {
+  if (const auto entry = entry_on(shape, from, to, half_thickness)) return entry;
+  return entry_on(shape, from, stay, half_thickness);
 }
 
 }  // namespace fascia

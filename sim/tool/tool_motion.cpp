@@ -17,6 +17,19 @@ ToolMotion ToolMotion::part(double from_share, double to_share) const {
   return result;
 }
 
+ToolMotion part_of(const std::vector<Tool>& tools, const TimedMotion& whole, double from_share, double to_share) {
+  if (from_share <= 0 && to_share >= 1) return whole.motion;
+  const ToolMotion on_paths = motion_on_paths(tools, whole.from, whole.to);
+  const auto time = [&](double share) { return whole.from + share * (whole.to - whole.from); };
+  ToolMotion result = whole.motion.part(from_share, to_share);
+  for (std::size_t t = 0; t < tools.size(); ++t) {
+    if (!(on_paths.from[t] == whole.motion.from[t] && on_paths.to[t] == whole.motion.to[t])) continue;
+    result.from[t] = tools[t].place(time(from_share));
+    if (to_share < 1) result.to[t] = tools[t].place(time(to_share));
+  }
+  return result;
+}
+
 ToolMotion motion_on_paths(const std::vector<Tool>& tools, double from, double to) {
   return {places_at(tools, from), places_at(tools, to)};
 }

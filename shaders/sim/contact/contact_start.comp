@@ -1,7 +1,8 @@
 // Begins a stage at every listed point: the anchor of friction and the normal for the pieces that are near. How much of
 // its way to the inertial start of the iterations, or of that of its body if it is carried (support.glsl), the point goes
-// before it meets the piece limits where the iterations start. A point whose way leads through the piece, or so deep into
-// it that another side is nearer, meets for this stage the plane at which it enters, as sim/tool/tool_entry.h states.
+// before it meets the piece limits where the iterations start. A point whose way against the piece leads through it, or so
+// deep into it that another side is nearer, meets for this stage the plane at which it enters, as sim/tool/tool_entry.h
+// states.
 // After contact_support.
 #include "common/io.glsl"
 COMPUTE_1D
@@ -19,16 +20,33 @@ OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
 uniform uint bodies, points;
 
-// The share of the way from a to b, in the axes of the piece, at which it enters the piece; 1: not.
-float entry_of(uint piece, vec3 a, vec3 way) {
+// The share of a way in the axes of the piece at which it enters the piece; 1: not.
+float entry_of(uint piece, vec3 from, vec3 way) {
   float size = length(way), share = 0.0;
   for (int k = 0; k < ENTRY_STEPS; ++k) {
-    float d = distance_to(piece, a + share * way).w - half_thickness(piece);
+    float d = distance_to(piece, from + share * way).w - half_thickness(piece);
     if (d <= 0.01 * size) return share;
     share += d / size;
     if (share >= 1.0) return 1.0;
   }
   return 1.0;
+}
+
+// The plane in the scene that stands for the piece on this way; w NO_PLANE: none. `gap`: at its start.
+vec4 plane_on(uint piece, PiecePose end, vec3 from, vec3 to, float gap) {
+  vec4 none = vec4(0.0, 0.0, 0.0, NO_PLANE);
+  vec3 way = to - from;
+  float size = length(way);
+  if (size <= max(finest_radius(piece), gap)) return none;
+  float entry = entry_of(piece, from, way);
+  if (entry == 1.0) return none;
+  vec3 place = from + entry * way;
+  vec4 d_entry = distance_to(piece, place), d_last = distance_to(piece, to);
+  vec4 d_behind = distance_to(piece, from + min(1.0, entry + finest_radius(piece) / size) * way);
+  float deepest = min(d_last.w, d_behind.w) - half_thickness(piece);
+  if (deepest >= -0.01 * size || dot(d_entry.xyz, d_last.xyz) >= 0.5) return none;
+  vec3 normal = end.axes * normalize(d_entry.xyz);
+  return vec4(normal, dot(normal, end.axes * place + end.origin) - d_entry.w);
 }
 
 void main() {
@@ -48,27 +66,21 @@ void main() {
   do {  // llvmpipe runs the body of other loops once more
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
     vec3 local = to_local(pose_at_start(piece), x);
-    vec4 d = distance_to(piece, local), plane = vec4(0.0, 0.0, 0.0, NO_PLANE);
+    vec4 d = distance_to(piece, local), plane;
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
     float penalty = share_of_penalty(piece) * FETCH(contact_rest, 2u * i).w;
     float sliding = max(STICKING * penalty, friction_of(piece) * FETCH(contact_memory, row).w / full_slip(piece));
     contact_anchor[row] = vec4(anchor, sliding);
-    vec3 first = to_local(end, x), last = to_local(end, x + way), inward = last - first;
-    vec4 d_last = distance_to(piece, last);
-    float before = distance_to(piece, first).w, after = d_last.w, entry = 1.0;
-    if (length(inward) > max(finest_radius(piece), before - half_thickness(piece))) entry = entry_of(piece, first, inward);
-    if (entry < 1.0) {
-      vec3 place = first + entry * inward;
-      vec3 behind = first + min(1.0, entry + finest_radius(piece) / length(inward)) * inward;
-      vec4 d_entry = distance_to(piece, place);
-      float deepest = min(d_last.w, distance_to(piece, behind).w) - half_thickness(piece);
-      if (deepest < -0.01 * length(inward) && dot(d_entry.xyz, d_last.xyz) < 0.5) {
-        plane.xyz = end.axes * normalize(d_entry.xyz);
-        plane.w = dot(plane.xyz, end.axes * place + end.origin) - d_entry.w;
-        after = dot(plane.xyz, x + way) - plane.w;
-      }
+    vec3 last = to_local(end, x + way), stay = to_local(end, x);
+    float gap = d.w - half_thickness(piece);
+    plane = plane_on(piece, end, local, last, gap);
+    if (plane.w == NO_PLANE) plane = plane_on(piece, end, local, stay, gap);
+    float before = distance_to(piece, stay).w, after = distance_to(piece, last).w;
+    if (plane.w != NO_PLANE) {
+      before = dot(plane.xyz, x) - plane.w;
+      after = dot(plane.xyz, x + way) - plane.w;
     }
     before -= half_thickness(piece);
     after -= half_thickness(piece);

@@ -159,7 +159,7 @@ gl::ComputePass ContactTerm::start_of_near(gl::ProgramCache& programs, const cha
   gl::ComputePass pass(
       programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
       {{"deferred_list", 0}, {"deferred_begin", 4}, {"bodies", starts_.body_count()}, {"points", point_count()}});
-  pass.loops((kEntrySteps + 6) * loops_of_point());
+  pass.loops((2 * kEntrySteps + 10) * loops_of_point());
   pass.set_indirect(list_, 0);
   return pass;
 }
