@@ -70,6 +70,31 @@ TEST_CASE("a cube lies on a thin plate that is lifted fast", "[gpu][contact]") {
   CHECK(force == Approx(kLoad).epsilon(1e-3));
 }
 
+// From 2 m/s on it jumped over the slab, and pressed it from below with 1.6 N.
+TEST_CASE("a ball on a path presses on the side that it comes from, however far it moves in a step", "[gpu][contact]") {
+  const double speed = GENERATE(0.5, 2.0, 5.0);
+  Model model = test::make_model(make_box(8, 2, 8, {0.1, 0.02, 0.1}), test::squared(2e4),
+                                 [](const Vector3d& x) { return x.x() < 1e-9 || x.x() > 0.1 - 1e-9; });
+  model.gravity = {0, 0, 0};
+  model.tools = {test::tool("ball", SphereShape{{0, 0, 0}, 0.01}, 0.2,
+                            {{0, {0.05, 0.05, 0.05}, {0, 0, 0}}, {0.04 / speed, {0.05, 0.01, 0.05}, {0, 0, 0}}})};
+  test::Gpu gpu;
+  const SolverSettings settings = awake(Integrator::implicit_euler, 1);
+  GpuSolver solver(gpu.programs, model, settings);
+  reference::NewtonSolver newton(model, settings);
+  State exact = initial_state(model);
+  for (int i = 0; i < 40; ++i) {
+    solver.step();
+    newton.step(exact);
+  }
+  solver.request_diagnostics();
+  const double force = solver.take_diagnostics(true)->tool_loads[0].force.y(),
+               true_force = newton.tool_loads()[0].force.y();
+  CAPTURE(speed, force, true_force);
+  CHECK(force < 0);
+  CHECK(force == Approx(true_force).epsilon(0.02));
+}
+
 // Tools went straight within a step, so that a carried body got all of its change of speed in the first of the
 // substeps, slid by 9 mm, and had a mean force of zero.
 TEST_CASE("a table that accelerates below the limit of friction takes a cube along with substeps", "[gpu][contact]") {
