@@ -186,7 +186,7 @@ class Problem {
 
 std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, const std::vector<BodyContact>& contacts,
                                      double length, double least) {
-  constexpr int kFewSteps = 4, kMostSteps = 12, kMostHalves = 20;
+  constexpr int kMostSteps = 12, kMostHalves = 40;
   constexpr double kArmijo = 1e-4;                              // of the decrease that a step promises
   constexpr double kRounds[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
   const Problem problem(bodies, contacts, length);
@@ -210,10 +210,15 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
     }
     return false;
   };
-  // Most bodies are nearly where they should be.
-  if (descend(kRounds[std::size(kRounds) - 1] * largest, kFewSteps)) return problem.of_bodies(d);
+  // Most bodies are nearly where they should be, and then rounds are a detour: over that of the largest force a body on
+  // many points is carried above all of them.
+  const double sharp = kRounds[std::size(kRounds) - 1] * largest;
+  if (descend(sharp, kMostSteps)) return problem.of_bodies(d);
+  const VectorXd at_once = d;
   for (const double round : kRounds) descend(round * largest, kMostSteps);
-  return problem.of_bodies(d);
+  const bool detour_helps =
+      problem.evaluate(d, sharp, gradient, nullptr) < problem.evaluate(at_once, sharp, gradient, nullptr);
+  return problem.of_bodies(detour_helps ? d : at_once);
 }
 
 BodyMotions::BodyMotions(const Model& model, const SimBuffers& buffers)

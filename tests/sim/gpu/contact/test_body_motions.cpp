@@ -203,6 +203,21 @@ TEST_CASE("the best motions balance inertia, contact and friction", "[contact]")
     CAPTURE(arm, turn.transpose());
     CHECK((turn - Vector3d(0.001 / across, -0.002 / turned, 0.003 / across)).norm() < 1e-12);
   }
+  SECTION("a light sheet on hundreds of points is carried by those that press") {
+    std::vector<BodyContact> contacts;
+    for (int i = 0; i < 700; ++i) {
+      BodyContact c = contact({0, BodyContact::kTool}, 0);
+      c.stiffness = 1e7;
+      c.depth = 1e-9 * std::sin(1.7 * i);
+      contacts.push_back(c);
+    }
+    const double mass = 0.005, step = 1.0 / 60, weight = mass * 9.81;
+    const Vector3d way = best_motions({body(mass, {0, -weight * step * step, 0})}, contacts, step, 1e-13)[0].way;
+    double force = 0;
+    for (const BodyContact& c : contacts) force += std::max(0.0, c.stiffness * (c.depth - way.y()));
+    CAPTURE(way.transpose(), force / weight);
+    CHECK(force == Approx(weight).epsilon(1e-3));
+  }
   SECTION("many points of which a few press: exact in a few rounded steps") {
     std::vector<BodyContact> contacts;
     for (int i = 0; i < 200; ++i) {
