@@ -26,6 +26,7 @@ float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * pie
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
 float finest_radius(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 10u).w; }
 float full_slip(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).x; }  // [m] after which points bear all friction
+vec3 rest_of_origin(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).yzw; }  // at the end, less its float32 value [m]
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 

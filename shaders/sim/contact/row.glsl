@@ -15,13 +15,16 @@ struct Row {
 // w that force; `anchor`: the u with which
 // the point would go where the piece goes, w c.
 Row row_at(uint piece, uint row, vec4 rest, float kept, vec3 u, vec4 memory, vec4 anchor) {
-  vec3 x = rest.xyz + u;
+  precise vec3 x = rest.xyz + u;
+  precise vec3 lost = (rest.xyz - (x - (x - rest.xyz))) + (u - (x - rest.xyz));  // of the sum (Knuth 1969)
   PiecePose pose = pose_at_end(piece);
   vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
   if (n0.w == NO_PLANE) {
     d = distance_to(piece, to_local(pose, x));
     d.xyz = pose.axes * d.xyz;
   }
+  // Rounded places are off by more than what small stiff tissue lets in under its load.
+  d.w += dot(d.xyz, n0.w == NO_PLANE ? lost - rest_of_origin(piece) : lost);
   Row r;
   r.before = kept * memory.w;
   r.penalty = share_of_penalty(piece) * rest.w;

@@ -298,7 +298,8 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row_of(to.pose.origin - origin_, std::min(finest_radius(tool.shape), 1e30)));
-    rows.push_back(row_of({surface_.full_slip, 0, 0}));
+    const Vector3d rounded = after.origin.cast<float>().cast<double>(), rest = after.origin - rounded;
+    rows.push_back(row_of({surface_.full_slip, rest.x(), rest.y()}, rest.z()));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;
