@@ -3,9 +3,9 @@
 // where turns are small, solved in double precision. Iterations find these directions late where contact is stiff: a
 // step that presses too much is shortened as a whole, and bodies that slide, tip or part lose their momentum with it.
 //
-// A turn w moves a place r by w x r + w x (w x r) / 2. Forces at the ends of arms change its curvature by the second
-// part, which a ball of a centimeter that rolls on its facets needs half of: its inertia is that small in steps of 1/60
-// s.
+// A turn w moves a place r by w x r + w x (w x r) / 2. Through the second part forces at the ends of arms change the
+// curvature along turns: for a ball of a centimeter that rolls on its facets, by more than half of its inertia over a
+// step of 1/60 s.
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
