@@ -1,3 +1,4 @@
+// Covers: repeated_run
 #include "sim/simulation/time_error.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // What lies on a tool that moves goes along with it.
-// Covers: sim/gpu/contact/contact_term, sim/contact/contact_energy, sim/tool/tool_motion
+// Covers: contact_term
 #include <catch2/catch.hpp>
 #include <cmath>
 
