@@ -362,9 +362,8 @@ NewtonReport NewtonSolver::step(State& state) {
   const TimedMotion motion{impl_->motion_within(start, start + whole), start, start + whole};
   for (int k = 0; k < settings.substeps; ++k) {
     for (const IntegratorStage& stage : stages_of(settings.integrator, settings.substep(), state.earlier.step)) {
-      const double from = (state.time - start) / whole;
-      const NewtonReport part =
-          impl_->solve(stage, part_of(impl_->model.tools, motion, from, from + stage.duration / whole), state);
+      const double from = (state.time - start) / whole, to = from + stage.duration / whole;
+      const NewtonReport part = impl_->solve(stage, part_of(impl_->model.tools, motion, from, to), state);
       report.iterations += part.iterations;
       report.relative_residual = std::max(report.relative_residual, part.relative_residual);
       report.converged = report.converged && part.converged;

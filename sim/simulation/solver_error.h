@@ -18,7 +18,7 @@ SolverSettings solved(SolverSettings settings);
 constexpr int kFewestToSolve = 30;
 
 /// Repeats all steps of `done`, a run by the GPU whose values nothing else has changed, with its own settings and with
-/// `solved()` ones. Takes some 4 times the time of the run. Throws Error.
+/// `solved()` ones. Takes 4 times the time of a run with ten iterations or more. Throws Error.
 SolverError estimate_solver_error(const Simulation& done, gl::ProgramCache* programs,
                                   const std::stop_token& stop = interrupt_token());
 

@@ -31,13 +31,32 @@ SolverSettings awake(Integrator integrator, int substeps) {
   return settings;
 }
 
+struct Compared {
+  GpuSolver solver;
+  reference::NewtonSolver newton;
+  State exact;
+  Compared(test::Gpu& gpu, const Model& model, int steps)
+      : solver(gpu.programs, model, awake(Integrator::implicit_euler, 1)),
+        newton(model, awake(Integrator::implicit_euler, 1)),
+        exact(initial_state(model)) {
+    for (int i = 0; i < steps; ++i) {
+      solver.step();
+      newton.step(exact);
+    }
+  }
+  Vector3d force() {
+    solver.request_diagnostics();
+    return solver.take_diagnostics(true)->tool_loads[0].force;
+  }
+};
+
 /// From rest to `speed`, evenly, and on with it; in more keys than there are stages.
 std::vector<Instrument::Key> path_to(const Vector3d& speed, double acceleration_time, double end) {
   constexpr int kKeys = 960;
   std::vector<Instrument::Key> path;
   for (int k = 0; k <= kKeys; ++k) {
-    const double t = end * k / kKeys, half = std::min(t, acceleration_time);
-    path.push_back({t, speed * (0.5 * half * half / acceleration_time + (t - half)), {0, 0, 0}});
+    const double t = end * k / kKeys, gaining = std::min(t, acceleration_time);
+    path.push_back({t, speed * (0.5 * gaining * gaining / acceleration_time + (t - gaining)), {0, 0, 0}});
   }
   return path;
 }
@@ -52,18 +71,10 @@ TEST_CASE("a cube lies on a thin plate that is lifted fast", "[gpu][contact]") {
       test::tool("plate", BoxShape{{0, -0.002, 0}, {0.1, 0.002, 0.1}, 0}, 0.5, path_to({0, speed, 0}, 0.4, 1));
   const Model model = cube_on(plate);
   test::Gpu gpu;
-  const SolverSettings settings = awake(Integrator::implicit_euler, 1);
-  GpuSolver solver(gpu.programs, model, settings);
-  reference::NewtonSolver newton(model, settings);
-  State exact = initial_state(model);
-  for (int i = 0; i < 48; ++i) {
-    solver.step();
-    newton.step(exact);
-  }
-  solver.request_diagnostics();
-  const double height = plate.place(48.0 / 60).pose.origin.y(),
-               force = solver.take_diagnostics(true)->tool_loads[0].force.y();
-  const double found = test::mean(solver.download().displacement).y(), of_exact = test::mean(exact.displacement).y();
+  Compared run(gpu, model, 48);
+  const double height = plate.place(48.0 / 60).pose.origin.y(), force = run.force().y();
+  const double found = test::mean(run.solver.download().displacement).y(),
+               of_exact = test::mean(run.exact.displacement).y();
   CAPTURE(speed, height, found, of_exact, force / kLoad);
   CHECK(std::abs(found - height) < 0.01 * kWidth);
   CHECK(std::abs(of_exact - height) < 0.01 * kWidth);
@@ -79,17 +90,8 @@ TEST_CASE("a ball on a path presses on the side that it comes from, however far 
   model.tools = {test::tool("ball", SphereShape{{0, 0, 0}, 0.01}, 0.2,
                             {{0, {0.05, 0.05, 0.05}, {0, 0, 0}}, {0.04 / speed, {0.05, 0.01, 0.05}, {0, 0, 0}}})};
   test::Gpu gpu;
-  const SolverSettings settings = awake(Integrator::implicit_euler, 1);
-  GpuSolver solver(gpu.programs, model, settings);
-  reference::NewtonSolver newton(model, settings);
-  State exact = initial_state(model);
-  for (int i = 0; i < 40; ++i) {
-    solver.step();
-    newton.step(exact);
-  }
-  solver.request_diagnostics();
-  const double force = solver.take_diagnostics(true)->tool_loads[0].force.y(),
-               true_force = newton.tool_loads()[0].force.y();
+  Compared run(gpu, model, 40);
+  const double force = run.force().y(), true_force = run.newton.tool_loads()[0].force.y();
   CAPTURE(speed, force, true_force);
   CHECK(force < 0);
   CHECK(force == Approx(true_force).epsilon(0.02));
