@@ -140,12 +140,16 @@ std::vector<PairLoad> PairEnergy::loads(const VectorXd& u) const {
   return loads;
 }
 
+PairLoad& load_of(std::vector<PairLoad>& loads, const std::array<std::uint32_t, 2>& bodies) {
+  const auto place = std::lower_bound(loads.begin(), loads.end(), bodies,
+                                      [](const PairLoad& load, const auto& wanted) { return load.bodies < wanted; });
+  return place != loads.end() && place->bodies == bodies ? *place : *loads.insert(place, PairLoad{bodies});
+}
+
 void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Vector3d& force, double pressing, double depth) {
   const bool ascends = row.bodies[0] <= row.bodies[1];
   const std::array<std::uint32_t, 2> bodies{row.bodies[ascends ? 0 : 1], row.bodies[ascends ? 1 : 0]};
-  const auto place = std::lower_bound(loads.begin(), loads.end(), bodies,
-                                      [](const PairLoad& load, const auto& wanted) { return load.bodies < wanted; });
-  PairLoad& load = place != loads.end() && place->bodies == bodies ? *place : *loads.insert(place, PairLoad{bodies});
+  PairLoad& load = load_of(loads, bodies);
   if (bodies[0] != bodies[1]) load.force += ascends ? -force : force;
   if (pressing <= 0) return;
   load.normal += pressing;

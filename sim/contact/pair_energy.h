@@ -11,7 +11,7 @@
 
 namespace fascia {
 
-/// The force of one body on another at the end of a step.
+/// The force of one body on another, at the end of a stage or as the mean over a step (sim/contact/step_loads.h).
 struct PairLoad {
   std::array<std::uint32_t, 2> bodies{};  // in Model::bodies, ascending; the same twice: a body on itself
   Eigen::Vector3d force{0, 0, 0};         // [N] on the second, -force on the first; of a body on itself the sum is 0
@@ -52,6 +52,8 @@ class PairEnergy {
   std::vector<ContactForce> before_;  // [rows] lambda and t, across the normal
 };
 
+/// That of two bodies, ascending; added without forces if they are not among `loads`, which ascend.
+PairLoad& load_of(std::vector<PairLoad>& loads, const std::array<std::uint32_t, 2>& bodies);
 /// Adds the force of a pair on the side of its normal, of which `pressing` [N] is normal, to the load of its bodies.
 void add_load(std::vector<PairLoad>& loads, const PairRow& row, const Eigen::Vector3d& force, double pressing,
               double depth);

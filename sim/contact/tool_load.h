@@ -1,4 +1,4 @@
-// The force of a tool on the tissue at the end of a step.
+// The force of a tool on the tissue, at the end of a stage or as the mean over a step (sim/contact/step_loads.h).
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>

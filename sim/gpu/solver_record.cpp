@@ -39,6 +39,7 @@ void GpuSolver::record() {
   } else if (!tangles_) {
     tangles_.emplace(programs_, buffers_);
   }
+  contact_.record_loads(programs_);
   diagnostics_.record(programs_, buffers_, features_, previous_strain_, terms_);
   surface_.record(programs_, buffers_, features_, color_, contact_);
   published_ = false;

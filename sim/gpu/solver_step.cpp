@@ -58,6 +58,7 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
 void GpuSolver::begin_step() {
   step_begin_ = time_;
   step_motion_ = next_tools();
+  contact_.begin_step(settings_.substeps);
 }
 
 ToolMotion GpuSolver::next_tools() const {

@@ -50,7 +50,7 @@ std::vector<IntegratorStage> stages_of(Integrator integrator, double h, double e
     }
     case Integrator::sdirk2: {
       const double g = 1 - std::sqrt(0.5);
-      return {IntegratorStage{g * h}, IntegratorStage{g * h, 1 / g - 2, h - g * h}};
+      return {IntegratorStage{g * h, 0, g * h, 1 - g}, IntegratorStage{g * h, 1 / g - 2, h - g * h, g}};
     }
   }
   return {};

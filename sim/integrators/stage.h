@@ -15,6 +15,7 @@ struct IntegratorStage {
   double length;             // l [s]
   double extrapolation = 0;  // p [-]; 0: nothing earlier is read
   double duration = length;  // by which time advances [s]
+  double share = 1;          // of its forces in what changes the momentum in a substep; those of all stages sum to 1
 
   using Vector = Eigen::VectorXd;
   /// X*. `earlier` is not read without extrapolation.

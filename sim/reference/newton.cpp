@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
 #include "sim/contact/pair_search.h"
+#include "sim/contact/step_loads.h"
 #include "sim/model/prescribed_motion.h"
 #include "sim/model/unconstrained_parts.h"
 #include "sim/reference/held_path.h"
@@ -65,9 +66,8 @@ struct NewtonSolver::Impl {
         contact(make_contact_surface(model)),
         penalty(contact_stiffness(model, contact)),
         pairs(model),
-        loads(model.tools.size()) {
-    const UnconstrainedParts free = unconstrained_parts(model, model.held());
-    for (const std::uint32_t part : free.part) falls.push_back(part != 0);
+        loads{std::vector<ToolLoad>(model.tools.size()), {}} {
+    for (const std::uint32_t part : unconstrained_parts(model, model.held()).part) falls.push_back(part != 0);
   }
 
   NewtonReport solve(const IntegratorStage& stage, const ToolMotion& motion, State& state);
@@ -103,8 +103,7 @@ struct NewtonSolver::Impl {
   }
   Vector3d fall_in(const IntegratorStage& stage) const { return stage.duration * stage.duration * model.gravity; }
   void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
-    loads = energy->loads(u);
-    pair_loads = energy->pairs().loads(u);
+    loads = {energy->loads(u), energy->pairs().loads(u)};
     touched = std::move(energy);
     touched_at = u;
   }
@@ -147,8 +146,7 @@ struct NewtonSolver::Impl {
   std::vector<double> kept;  // [point] in stages of the length `kept_in` [s]
   double kept_in = 0;
   std::optional<ToolMotion> tools;  // none: on their paths
-  std::vector<ToolLoad> loads;
-  std::vector<PairLoad> pair_loads;
+  ContactLoads loads;
   std::shared_ptr<const ContactEnergy> touched;  // of the last step or solve, which ended at `touched_at`
   VectorXd touched_at;                           // [3 * vertex_count] [m]
 };
@@ -360,16 +358,18 @@ NewtonReport NewtonSolver::step(State& state) {
   const SolverSettings& settings = impl_->settings;
   const double start = state.time, whole = settings.time_step;
   const TimedMotion motion{impl_->motion_within(start, start + whole), start, start + whole};
+  StepLoads loads;
+  double share = 0;
   for (int k = 0; k < settings.substeps; ++k) {
     for (const IntegratorStage& stage : stages_of(settings.integrator, settings.substep(), state.earlier.step)) {
+      if (share > 0) loads.add(share, impl_->loads);
+      share = stage.share / settings.substeps;
       const double from = (state.time - start) / whole, to = from + stage.duration / whole;
-      const NewtonReport part = impl_->solve(stage, part_of(impl_->model.tools, motion, from, to), state);
-      report.iterations += part.iterations;
-      report.relative_residual = std::max(report.relative_residual, part.relative_residual);
-      report.converged = report.converged && part.converged;
+      report.join(impl_->solve(stage, part_of(impl_->model.tools, motion, from, to), state));
     }
     state.earlier.step = settings.substep();
   }
+  impl_->loads = loads.mean(std::move(impl_->loads));
   if (!info_of(settings.integrator).multistep) state.earlier = {};
   return report;
 }
@@ -382,8 +382,8 @@ void NewtonSolver::set_tools(const std::optional<ToolMotion>& motion) { impl_->t
 
 void NewtonSolver::set_stop(std::stop_token stop) { impl_->stop = std::move(stop); }
 
-const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads; }
-const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->pair_loads; }
+const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads.tools; }
+const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->loads.pairs; }
 
 std::vector<Vector3d> NewtonSolver::contact_forces() const {
   VectorXd gradient = VectorXd::Zero(3 * static_cast<Eigen::Index>(impl_->model.rest_positions.size()));

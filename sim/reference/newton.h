@@ -10,6 +10,7 @@
 // multipliers once at the end, statics until the forces no longer change.
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -74,6 +75,12 @@ struct NewtonReport {
     relative_residual = more.relative_residual;
     converged = more.converged;
   }
+  /// Another solve, as `next` reports, came after it: both together.
+  void join(const NewtonReport& next) {
+    iterations += next.iterations;
+    relative_residual = std::max(relative_residual, next.relative_residual);
+    converged = converged && next.converged;
+  }
 };
 
 /// Keeps a reference to the model, which must not change.
@@ -98,10 +105,10 @@ class NewtonSolver {
   void set_tools(const std::optional<ToolMotion>& motion);
   /// Replaces the token of the constructor.
   void set_stop(std::stop_token stop);
-  /// [tool] at the end of the last step or solve.
+  /// [tool] over the last step (sim/contact/step_loads.h), or at the end of a stage or solve that was the last call.
   const std::vector<ToolLoad>& tool_loads() const;
   const std::vector<PairLoad>& pair_loads() const;  // of tissue on tissue, in the same step
-  /// [vertex] the same forces on the tissue, at its vertices [N]; zero before the first step or without tools.
+  /// [vertex] of contact on the tissue [N], at the end of the last stage; zero before the first one or without tools.
   std::vector<Eigen::Vector3d> contact_forces() const;
   /// Static equilibrium from `state` (its velocity is set to zero, its time to `until`, where motions and tools then
   /// are; without it to the end of all motions). `tolerance` 0 means kStaticTolerance. Throws Error if gravity acts on

@@ -161,8 +161,7 @@ void Simulation::leave_equilibrium() {
 
 void Simulation::correct_contact(std::optional<Diagnostics>& of_gpu) const {
   if (!equilibrium_contact_ || !of_gpu) return;
-  of_gpu->tool_loads = equilibrium_contact_->tools;
-  of_gpu->pair_loads = equilibrium_contact_->pairs;
+  of_gpu->set_loads(equilibrium_contact_->loads, equilibrium_contact_->loads);
 }
 
 std::vector<Eigen::Vector3d> Simulation::contact_forces() const {

@@ -120,14 +120,13 @@ class Simulation {
   gl::ProgramCache* programs() { return programs_; }  // null without a GPU
   bool uses_reference() const { return reference_ != nullptr; }
   const reference::NewtonReport& newton_report() const { return newton_report_; }
-  /// [tool of the model] of the reference solver at the end of its last step; the GPU's are in its Diagnostics.
+  /// [tool of the model] of the reference solver in its last step; the GPU's are in its Diagnostics.
   const std::vector<ToolLoad>& newton_tool_loads() const { return reference_->tool_loads(); }
   const std::vector<PairLoad>& newton_pair_loads() const { return reference_->pair_loads(); }  // of tissue on tissue
   /// Forces of contact in a static equilibrium that was found for the GPU in double precision, until the next step:
   /// there, the GPU's own are those of a step from it, whose error is large beside the weight of stiff bodies.
-  struct ContactLoads {
-    std::vector<ToolLoad> tools;
-    std::vector<PairLoad> pairs;
+  struct EquilibriumContact {
+    ContactLoads loads;
     std::vector<Eigen::Vector3d> vertices;  // [vertex] of the tools on the tissue [N]
   };
   /// Puts them in the place of those of the state that was read back.
@@ -166,7 +165,7 @@ class Simulation {
   std::unique_ptr<GpuSolver> gpu_;
   std::optional<State>
       equilibrium_;  // of solve_static() on the GPU, with more digits than float32 holds; until the next step
-  std::optional<ContactLoads> equilibrium_contact_;
+  std::optional<EquilibriumContact> equilibrium_contact_;
   double ms_per_iteration_ = 0;  // of the GPU, a running mean over steps; 0: not measured
   std::unique_ptr<reference::NewtonSolver> reference_;
   State reference_state_;

@@ -81,7 +81,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
     const reference::NewtonReport newton = by_newton(solver, exact, scene.solver.tolerance);
     if (newton.converged) {
       gpu_->settle(exact);
-      equilibrium_contact_ = {solver.tool_loads(), solver.pair_loads(), solver.contact_forces()};
+      equilibrium_contact_ = {{solver.tool_loads(), solver.pair_loads()}, solver.contact_forces()};
     }
     return report_of(newton, scene.solver.tolerance);
   }

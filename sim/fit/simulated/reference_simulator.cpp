@@ -33,9 +33,7 @@ reference::NewtonReport step_by_stages(reference::NewtonSolver& solver, const So
   for (int k = 0; k < settings.substeps; ++k) {
     for (const IntegratorStage& stage : stages_of(settings.integrator, settings.substep(), state.earlier.step)) {
       stages.push_back({stage, end, state});
-      const reference::NewtonReport part = solver.solve(stage, state);
-      report.converged = report.converged && part.converged;
-      report.relative_residual = std::max(report.relative_residual, part.relative_residual);
+      report.join(solver.solve(stage, state));
     }
     state.earlier.step = settings.substep();
   }

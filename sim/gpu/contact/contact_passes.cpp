@@ -238,19 +238,22 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
                                      {"correction", &buffers.correction}};
   bind_entries(bindings);
   passes.emplace_back(programs.compute("sim/contact/contact_impulse.comp"), std::move(bindings), buffers.vertex_count);
-  if (surface_.empty()) return passes;
-  gl::Defines defines_of_load = defines_of_shapes({});
-  defines_of_load.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
-  passes.emplace_back(programs.compute("sim/contact/contact_load.comp", defines_of_load),
-                      gl::ComputePass::Bindings{{"contact_pieces", &pieces_},
-                                                {"contact_vertices", &vertices_},
-                                                {"contact_weights", &weights_},
-                                                {"contact_rest", &rest_},
-                                                {"displacement", &buffers.displacement},
-                                                {"contact_row", &rows_},
-                                                {"contact_loads", &loads_}},
-                      kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size()));
+  if (!surface_.empty()) passes.push_back(load_pass(programs));
   return passes;
+}
+
+gl::ComputePass ContactTerm::load_pass(gl::ProgramCache& programs) const {
+  gl::Defines defines = defines_of_shapes({});
+  defines.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
+  return {programs.compute("sim/contact/contact_load.comp", defines),
+          {{"contact_pieces", &pieces_},
+           {"contact_vertices", &vertices_},
+           {"contact_weights", &weights_},
+           {"contact_rest", &rest_},
+           {"displacement", &buffers_.displacement},
+           {"contact_row", &rows_},
+           {"contact_loads", &loads_}},
+          kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size())};
 }
 
 }  // namespace fascia

@@ -56,15 +56,39 @@ std::vector<std::uint32_t> ContactTerm::near_vertices() const {
   return vertices;
 }
 
-std::vector<PairLoad> ContactTerm::sum_of(const std::vector<PairRow>& pairs, const std::vector<vec4>& forces) {
-  std::vector<PairLoad> loads;
+ContactLoads ContactTerm::sum_of(const std::vector<vec4>& loads, const std::vector<PairRow>& pairs,
+                                 const std::vector<vec4>& forces) const {
+  ContactLoads result{std::vector<ToolLoad>(tools_.size()), {}};
+  for (std::size_t p = 0; p < surface_.pieces.size(); ++p)
+    for (std::size_t lane = 0; lane < kLoadLanes; ++lane) {
+      const vec4 &force = loads[2 * (kLoadLanes * p + lane)], &torque = loads[2 * (kLoadLanes * p + lane) + 1];
+      ToolLoad& load = result.tools[surface_.pieces[p].tool];
+      load.force += Vector3d(force.x, force.y, force.z);
+      load.torque += Vector3d(torque.x, torque.y, torque.z);
+      load.points += static_cast<std::uint32_t>(force.w);
+      load.deepest = std::max<double>(load.deepest, torque.w);
+    }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const Vector3d force(forces[k].x, forces[k].y, forces[k].z);
     const double pressing = forces[k].w;
     if (pressing > 0 || !force.isZero(0))
-      add_load(loads, pairs[k], force, pressing, (pressing - pairs[k].before) / pairs[k].stiffness);
+      add_load(result.pairs, pairs[k], force, pressing, (pressing - pairs[k].before) / pairs[k].stiffness);
   }
-  return loads;
+  return result;
+}
+
+void ContactTerm::record_loads(gl::ProgramCache& programs) {
+  if (!surface_.empty()) load_pass_ = load_pass(programs);
+}
+
+void ContactTerm::keep_loads() {
+  std::vector<vec4> loads, forces(pairs_.rows().size());
+  if (load_pass_) {
+    load_pass_->run();
+    loads = loads_.read<vec4>();
+  }
+  if (!forces.empty()) forces_.download(forces_of_pairs(), forces.size() * sizeof(vec4), forces.data());
+  earlier_loads_.add(share_, sum_of(loads, pairs_.rows(), forces));
 }
 
 std::vector<Vector3d> ContactTerm::forces_at_vertices() const {
@@ -83,6 +107,7 @@ std::vector<Vector3d> ContactTerm::forces_at_vertices() const {
 
 void ContactTerm::forget_forces() {
   if (!acts()) return;
+  earlier_loads_.begin();
   forces_.clear();
   rows_.clear();
 }
@@ -103,20 +128,6 @@ void ContactTerm::bind_pressure(gl::ComputePass::Bindings& bindings) {
   }
   bind_entries(bindings);
   bindings.insert(bindings.end(), {{"contact_force", &forces_}, {"contact_area", &areas_}});
-}
-
-std::vector<ToolLoad> ContactTerm::sum_of(const std::vector<vec4>& loads) const {
-  std::vector<ToolLoad> result(tools_.size());
-  for (std::size_t p = 0; p < surface_.pieces.size(); ++p)
-    for (std::size_t lane = 0; lane < kLoadLanes; ++lane) {
-      const vec4 &force = loads[2 * (kLoadLanes * p + lane)], &torque = loads[2 * (kLoadLanes * p + lane) + 1];
-      ToolLoad& load = result[surface_.pieces[p].tool];
-      load.force += Vector3d(force.x, force.y, force.z);
-      load.torque += Vector3d(torque.x, torque.y, torque.z);
-      load.points += static_cast<std::uint32_t>(force.w);
-      load.deepest = std::max<double>(load.deepest, torque.w);
-    }
-  return result;
 }
 
 }  // namespace fascia

@@ -211,9 +211,17 @@ void ContactTerm::materials_changed(const Model& model, SimBuffers& buffers) {
   starts_.materials_changed(model);
 }
 
+void ContactTerm::begin_step(int substeps) {
+  earlier_loads_.begin();
+  substeps_ = substeps;
+  share_ = 0;
+}
+
 void ContactTerm::begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage,
                               SimBuffers& buffers) {
   if (!acts()) return;
+  if (share_ > 0) keep_loads();
+  share_ = stage.share / substeps_;
   read_list_.clear();
   if (length_ != stage.length) {
     length_ = stage.length;

@@ -10,7 +10,7 @@
 #include "sim/coarse/coarse_contact.h"
 #include "sim/contact/contact_surface.h"
 #include "sim/contact/pair_energy.h"
-#include "sim/contact/tool_load.h"
+#include "sim/contact/step_loads.h"
 #include "sim/gpu/contact/body_motions.h"
 #include "sim/gpu/contact/body_starts.h"
 #include "sim/gpu/contact/pair_stage.h"
@@ -28,8 +28,10 @@ class ContactTerm : public EnergyTerm {
 
   /// Also softens the forces in the buffers' contact_memory where tissue became softer. Waits for the GPU.
   void materials_changed(const Model& model, SimBuffers& buffers);
+  /// Before the first stage of a step of so many substeps.
+  void begin_step(int substeps);
   /// The poses of a stage that ends at `time` [s], and the pairs of the tissue. Waits for the GPU where tissue touches
-  /// tissue.
+  /// tissue, and for the loads of the step's stage before.
   void begin_stage(const ToolMotion& motion, double time, const IntegratorStage& stage, SimBuffers& buffers);
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
@@ -91,9 +93,11 @@ class ContactTerm : public EnergyTerm {
   const std::vector<PairRow>& pairs() const { return pairs_.rows(); }
   const gl::Buffer& forces() const { return forces_; }
   std::size_t forces_of_pairs() const { return sizeof(shared::vec4) * point_count(); }
-  static std::vector<PairLoad> sum_of(const std::vector<PairRow>& pairs, const std::vector<shared::vec4>& forces);
-  /// From the content of loads(): [tool].
-  std::vector<ToolLoad> sum_of(const std::vector<shared::vec4>& loads) const;
+  /// At the end of a stage with these pairs, from the content of loads() and the forces of the pairs.
+  ContactLoads sum_of(const std::vector<shared::vec4>& loads, const std::vector<PairRow>& pairs,
+                      const std::vector<shared::vec4>& forces) const;
+  const StepLoads& earlier_loads() const { return earlier_loads_; }  // of the last step's stages but its last one
+  void record_loads(gl::ProgramCache& programs);                     // before the first stage
 
  private:
   static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
@@ -107,7 +111,9 @@ class ContactTerm : public EnergyTerm {
   void place_pieces(const ToolMotion& motion);
   void upload_pairs();
   void upload_entries();
+  void keep_loads();  // of the stage that has ended
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  gl::ComputePass load_pass(gl::ProgramCache& programs) const;
   gl::ComputePass start_of_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
                             const gl::Defines& defined = {}) const;
@@ -139,10 +145,14 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, depths_, forces_, blocks_, loads_;
-  gl::Buffer sums_;                        // of contact_gather.comp; absent on GPUs
-  gl::Buffer areas_;                       // float [vertex_count] [m^2]; created for the first picture of pressures
-  std::vector<double> stiffness_, kept_;   // [point] of the penalty on depth [N/m]; kept_shares() of the stage
-  double length_ = 0;                      // of the stage [s]
+  gl::Buffer sums_;                       // of contact_gather.comp; absent on GPUs
+  gl::Buffer areas_;                      // float [vertex_count] [m^2]; created for the first picture of pressures
+  std::vector<double> stiffness_, kept_;  // [point] of the penalty on depth [N/m]; kept_shares() of the stage
+  double length_ = 0;                     // of the stage [s]
+  int substeps_ = 1;                      // of the step
+  double share_ = 0;                      // of the stage in the loads of the step; 0 before its first one
+  StepLoads earlier_loads_;
+  std::optional<gl::ComputePass> load_pass_;
   bool has_depths_ = false;                // of move_bodies() in depths_
   std::vector<shared::vec4> uploaded_;     // of pieces_
   std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()

@@ -13,10 +13,15 @@ constexpr std::uint32_t kMostPartials = 4096;
 }  // namespace
 
 double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
-  Eigen::Vector3d contact(0, 0, 0);
-  for (const ToolLoad& load : tool_loads) contact += load.force;
-  const double scale = std::max({reaction.norm(), grab_force.norm(), contact.norm(), weight.norm(), inertia.norm()});
-  return scale > force_rounding ? (reaction + grab_force + contact + weight - inertia).norm() / scale : 0;
+  const double scale = std::max({reaction.norm(), grab_force.norm(), tool_force.norm(), weight.norm(), inertia.norm()});
+  return scale > force_rounding ? (reaction + grab_force + tool_force + weight - inertia).norm() / scale : 0;
+}
+
+void Diagnostics::set_loads(ContactLoads of_step, const ContactLoads& at_end) {
+  tool_loads = std::move(of_step.tools);
+  pair_loads = std::move(of_step.pairs);
+  tool_force.setZero();
+  for (const ToolLoad& load : at_end.tools) tool_force += load.force;
 }
 
 DiagnosticsReader::DiagnosticsReader(const SimBuffers& buffers)
@@ -114,6 +119,7 @@ void DiagnosticsReader::request(const GrabSprings& grab, const ContactTerm& cont
   if (stop_state) copy(*stop_state);
   if (contact.loads()) copy(contact.loads());
   p.pairs = contact.pairs();
+  p.earlier = contact.earlier_loads();
   if (!p.pairs.empty()) copy_part(contact.forces(), contact.forces_of_pairs(), p.pairs.size() * sizeof(shared::vec4));
   p.owners = grab.owners();
   p.has_probe = probe_.has_value();
@@ -168,8 +174,8 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     const std::size_t behind = pairs.size() * sizeof(shared::vec4), bytes = loads.size() * sizeof(shared::vec4);
     pending.staging.download(pending.staging.bytes() - behind - bytes, bytes, loads.data());
     pending.staging.download(pending.staging.bytes() - behind, behind, pairs.data());
-    d.tool_loads = pending.contact->sum_of(loads);
-    d.pair_loads = ContactTerm::sum_of(pending.pairs, pairs);
+    const ContactLoads at_end = pending.contact->sum_of(loads, pending.pairs, pairs);
+    d.set_loads(pending.earlier.mean(at_end), at_end);
   }
   double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = leaves_out_ ? 1 : 3.4e38;

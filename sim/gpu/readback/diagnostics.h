@@ -27,7 +27,7 @@ struct Diagnostics {
   Eigen::Vector3d grab_force{0, 0, 0};                           // of all grabs on the body [N]
   std::vector<GrabForce> grab_forces;                            // of each of them
   Eigen::Vector3d inertia{0, 0, 0};                              // mass times acceleration, of free vertices [N]
-  /// reaction + grab_force + forces of the tools + `weight` - inertia over the largest of them [-]: zero where the last
+  /// reaction + grab_force + tool_force + `weight` - inertia over the largest of them [-]: zero where the last
   /// step is solved, since internal forces cancel. The weight is that of the whole scene [N]. 0 where there are no
   /// forces beyond rounding.
   double imbalance(const Eigen::Vector3d& weight) const;
@@ -37,8 +37,10 @@ struct Diagnostics {
   int inverted = 0;
   std::optional<int> iterations;         // of the last substep, where solver.tolerance ends them
   std::optional<Eigen::Vector3d> probe;  // displacement of the vertex of set_probe [m]
-  std::vector<ToolLoad> tool_loads;      // of each tool of the model
-  std::vector<PairLoad> pair_loads;      // of tissue that touches tissue
+  std::vector<ToolLoad> tool_loads;      // of each tool of the model, over the step (sim/contact/step_loads.h)
+  std::vector<PairLoad> pair_loads;      // of tissue that touches tissue, the same
+  Eigen::Vector3d tool_force{0, 0, 0};   // of all tools on the body at the end of the step, as the other sums [N]
+  void set_loads(ContactLoads of_step, const ContactLoads& at_end);
   bool finite = true;
 };
 
@@ -71,6 +73,7 @@ class DiagnosticsReader {
     bool counts_iterations = false, has_probe = false;
     const ContactTerm* contact = nullptr;  // null: nothing is touched
     std::vector<PairRow> pairs;
+    StepLoads earlier;  // of the stages of the step before the last one
   };
   Diagnostics sum_up(const Pending& pending) const;
 
