@@ -19,7 +19,7 @@ constexpr double kSprungBack = 1e-4, kStill = 1e-3;  // StressCriteria::springs_
 // Reference values for the state: its initial measures, and the sizes that make them relative.
 class Ledger {
  public:
-  explicit Ledger(const Simulation& simulation) : model_(simulation.model), masses_(lumped_masses(model_)) {
+  explicit Ledger(const Simulation& simulation) : model_(simulation.model), masses_(consistent_masses(model_)) {
     Eigen::AlignedBox3d box;
     for (const Vector3d& x : model_.rest_positions) box.extend(x);
     size_ = box.diagonal().norm();

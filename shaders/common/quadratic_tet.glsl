@@ -53,10 +53,13 @@ PointGradients at_points(PointGradients corners) {
                    FETCH(field, FETCH(mid_edges, 2u * e + 1u).y).xyz)
 #define POINT_GRADIENTS(e, tet, field) at_points(CORNER_GRADIENTS(e, tet, field))
 
-// Mean of a vertex field in the middles of the edges of a tet, from their numbers.
-#define MEAN_OF_MIDDLES(field, m, n)                                                                                  \
-  ((FETCH(field, m.x).xyz + FETCH(field, m.y).xyz + FETCH(field, m.z).xyz + FETCH(field, m.w).xyz + FETCH(field, n.x).xyz + \
-    FETCH(field, n.y).xyz) / 6.0)
+// The shape functions of a corner and of a middle at the centroid, and OF(v), of vertex v, at the centroid of a tet with the
+// corners c and the middles m, n.
+#define CORNER_AT_CENTROID -0.125
+#define MIDDLE_AT_CENTROID 0.25
+#define AT_CENTROID(OF, c, m, n)                                               \
+  (MIDDLE_AT_CENTROID * (OF(m.x) + OF(m.y) + OF(m.z) + OF(m.w) + OF(n.x) + OF(n.y)) + \
+   CORNER_AT_CENTROID * (OF(c.x) + OF(c.y) + OF(c.z) + OF(c.w)))
 
 // Element q of four, and its new value. Graphics cards' compilers leave a loop that has no computed index as it is, and
 // hold the numbers of one point at a time; on others such a loop is unrolled.

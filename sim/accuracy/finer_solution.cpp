@@ -181,11 +181,13 @@ Vectors FinerSolution::loads_on_cut_tets(const Vectors& coarse_forces) const {
   const auto add_field = [&](const Model& model, std::size_t t, double factor) {
     const double mass = factor * model.materials[model.tet_material[t]].density * volume_of(model, t);
     const ElementVertices element = model.element(t);
-    Vector3d of_centroid(0, 0, 0);  // share of a middle
-    for (std::size_t n = 4; n < 10; ++n) of_centroid += QuadraticTet::kCentroidMass / 36 * field[element[n]];
-    for (std::size_t n = 0; n < 4; ++n) result[element[n]] += mass * QuadraticTet::kCornerMass * field[element[n]];
-    for (std::size_t n = 4; n < 10; ++n)
-      result[element[n]] += mass * (QuadraticTet::kOwnMidEdgeMass * field[element[n]] + of_centroid);
+    Vector3d at_centroid(0, 0, 0);
+    for (std::size_t n = 0; n < 10; ++n) at_centroid += QuadraticTet::at_centroid(n) * field[element[n]];
+    for (std::size_t n = 0; n < 10; ++n) {
+      const double own = n < 4 ? QuadraticTet::kOwnCornerMass : QuadraticTet::kOwnMidEdgeMass;
+      result[element[n]] +=
+          mass * (own * field[element[n]] + QuadraticTet::kCentroidMass * QuadraticTet::at_centroid(n) * at_centroid);
+    }
   };
   const auto add_tractions = [&](const std::vector<FaceLoad>& loads, double factor) {
     for (const FaceLoad& load : loads) {

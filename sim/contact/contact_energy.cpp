@@ -27,7 +27,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
     const Tool& tool = model.tools[piece.tool];
     const RigidPose before = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
     pieces_.push_back({&tool.shape, tool.pose_of_piece(piece.piece, motion.to[piece.tool]),
-                       motion.to[piece.tool].pose.origin, tool.friction, 1.0 / (1 << (2 * piece.level))});
+                       motion.to[piece.tool].pose.origin, tool.friction});
     const RigidPose& after = pieces_.back().pose;
     for (std::uint32_t p = 0; p < piece.points; ++p) {
       if (!near.empty() && !(near[p] >> i & 1)) continue;
@@ -35,7 +35,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.piece = i;
       row.point = p;
       const Vector3d local = before.to_local(position(surface.points[p], start));
-      row.stiffness = pieces_.back().share * stiffness[p];
+      row.stiffness = stiffness[p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
       row.bearing = remembers ? memory[piece.first_row + p].normal : 0;

@@ -66,7 +66,7 @@ class ContactEnergy {
     const ToolShape* shape;
     RigidPose pose;          // at the end
     Eigen::Vector3d origin;  // of the tool, at the end
-    double friction, share;  // of the penalty and the area at level 0
+    double friction;
   };
   struct Row {
     std::uint32_t piece, point;  // of the surface

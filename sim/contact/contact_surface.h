@@ -20,7 +20,7 @@ struct ContactPoint {
   /// free one.
   std::array<std::uint32_t, 3> vertices;
   std::array<double, 3> weights;
-  double area;  // [m^2] that the point stands for at level 0; at level L a 4^L-th of that
+  double area;  // [m^2] that a vertex there would stand for: as much at every level
 };
 
 /// A rigid piece of a tool, and the rows that it has: one for each point of its level.
@@ -61,8 +61,9 @@ double depth_in_tissue(const Model& model, const ContactSurface& surface, const 
 /// Throws Error, which names `where`, for a skin thicker than a whole body, and for more than kMostPieces pieces.
 std::vector<std::string> check_contact(const Model& model, const std::string& where);
 
-/// Penalty stiffness [N/m] of every point at level 0, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the
-/// vertices (l: the height of a cell), s = 10 times the factor of the scene. At level L a 4^L-th.
+/// Penalty stiffness [N/m] of every point, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the vertices (l: the
+/// height of a cell), s = 10 times the factor of the scene. A is that of a vertex at every level, since a tool that is
+/// smaller than a cell, or has a sharp edge, presses with few points, each as stiff as the tissue below it.
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);
 
 /// [points] kept_share() in a stage of this length [s], of the penalties `stiffness` [points] and the masses of

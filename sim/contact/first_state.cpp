@@ -77,7 +77,7 @@ State first_state(const Model& model) {
   if (surface.empty() || free.parts == 0 || model.gravity.isZero()) return state;
 
   std::vector<LyingBody> bodies(free.parts + 1);  // the first for what is held
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   for (std::size_t v = 0; v < masses.size(); ++v) {
     bodies[free.part[v]].mass += masses[v];
     bodies[free.part[v]].center += masses[v] * model.rest_positions[v];
@@ -111,7 +111,7 @@ State first_state(const Model& model) {
       if (gap > touching || velocity.dot(normal) > kLeaving * velocity.norm()) continue;
       RigidMotion lift;
       lift << normal, (x - body.center).cross(normal) / body.size;
-      body.supports.push_back({piece.first_row + p, lift, stiffness[p] / (1 << (2 * piece.level))});
+      body.supports.push_back({piece.first_row + p, lift, stiffness[p]});
     }
   }
 

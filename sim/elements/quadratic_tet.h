@@ -20,15 +20,18 @@
 //
 // St. Venant-Kirchhoff: E = V [ mu mean eps_q : eps_q + lambda/2 (mean tr eps_q)^2 ].
 //
-// Lumped masses are in proportion to the diagonal of the consistent mass matrix (Hinton, Rock, Zienkiewicz 1976): all
-// are positive, whereas row sums give negative corners. They are what weighs the vertices. In motion they would lie too
-// far out, at twice the tet's second moments about its centroid, which slows down torsion and bending. Most of the mass
-// of the middles therefore moves at the tet's centroid, with the mean of the six middles:
+// The kinetic energy is integrated from the velocities at the ten nodes and at the centroid, where v is that of the
+// shape functions; exact for polynomials of degree 3:
 //
-//   kinetic energy = 1/2 m [ 1/36 sum_corners |v|^2 + 2/45 sum_middles |v|^2 + 28/45 |mean_middles v|^2 ]
+//   1/2 m [ 1/60 sum_corners |v|^2 + 1/15 sum_middles |v|^2 + 8/15 |v_centroid|^2 ],
+//   v_centroid = 1/4 sum_middles v - 1/8 sum_corners v
 //
-// This has the mass, the center and the second moments of the tet. A common acceleration of all ten nodes takes the
-// same forces as lumped masses do.
+// The mass matrix so has the mass, the center and the second moments of the tet, and its row sums are the integrals of
+// the shape functions, -m/20 at corners and m/5 at middles: gravity is the consistent load, under which a bar that
+// hangs has its exact, quadratic displacement. Masses at the ten nodes alone cannot have both and be positive.
+//
+// Where every vertex needs a positive mass of its own, lumped ones stand for it, in proportion to the diagonal of the
+// consistent mass matrix (Hinton, Rock, Zienkiewicz 1976).
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -53,10 +56,12 @@ struct QuadraticTet {
   /// Barycentric coordinates of point q: kNear for corner q, kFar for the three others. Every weight is V / 4.
   static constexpr double kNear = 0.58541019662496845446, kFar = 0.13819660112501051518;  // (5 + 3 sqrt 5) / 20, ...
   static const std::vector<Barycentric>& points();
-  /// Shares of the mass of the element: lumped, and of the lumped mass of a middle what moves with the middle itself.
-  /// The centroid has the rest.
-  static constexpr double kCornerMass = 1.0 / 36, kMidEdgeMass = 4.0 / 27, kOwnMidEdgeMass = 2.0 / 45;
-  static constexpr double kCentroidMass = 6 * (kMidEdgeMass - kOwnMidEdgeMass);
+  /// Shares of the mass of the element: lumped; what moves with a node itself and with the centroid; row sums.
+  static constexpr double kCornerMass = 1.0 / 36, kMidEdgeMass = 4.0 / 27;
+  static constexpr double kOwnCornerMass = 1.0 / 60, kOwnMidEdgeMass = 1.0 / 15, kCentroidMass = 8.0 / 15;
+  static constexpr double kCornerLoad = -1.0 / 20, kMidEdgeLoad = 1.0 / 5;
+  /// N_n at the centroid.
+  static constexpr double at_centroid(std::size_t node) { return node < 4 ? -1.0 / 8 : 1.0 / 4; }
 
   /// From the linear tet of its corners.
   explicit QuadraticTet(const LinearTet& corners) : gradients(corners.gradients), volume(corners.volume) {}

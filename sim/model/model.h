@@ -117,14 +117,17 @@ Model build_bodies(const Scene& scene, const Progress& progress = {}, const Body
 /// positions are not checked.
 Model build_bodies(const Scene& scene, std::vector<TetMesh> meshes);
 
-/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each linear tet per vertex, and the shares of
-/// sim/elements/quadratic_tet.h of each quadratic one. Zero for unreferenced vertices.
+/// Lumped masses [vertex_count] [kg]: a quarter of density * volume of each linear tet per vertex, and the positive
+/// shares of sim/elements/quadratic_tet.h of each quadratic one. Zero for unreferenced vertices.
 std::vector<double> lumped_masses(const Model& model);
+/// The row sums of the mass matrix [vertex_count] [kg], negative at corners of quadratic tets: gravity acts on them,
+/// and momentum is their sum with velocities. Of linear tets the lumped masses.
+std::vector<double> consistent_masses(const Model& model);
 
-/// What moves with which velocity: 1/2 sum own |v|^2 + 1/2 sum centroid |mean of v in the middles of the tet|^2 is the
-/// kinetic energy (sim/elements/quadratic_tet.h).
+/// What moves with which velocity: 1/2 sum own |v|^2 + 1/2 sum centroid |v at the centroid|^2 is the kinetic energy
+/// (sim/elements/quadratic_tet.h).
 struct MovingMasses {
-  std::vector<double> own;       // [vertex_count] [kg]; lumped, but for middles of quadratic tets
+  std::vector<double> own;       // [vertex_count] [kg]; of linear tets the lumped ones
   std::vector<double> centroid;  // [tet_count] [kg]; 0 in linear tets; empty if all are linear
 };
 MovingMasses moving_masses(const Model& model);

@@ -17,13 +17,13 @@ double mass_of_tet(const Model& model, std::size_t t) {
   return model.materials[model.tet_material[t]].density * volume;
 }
 
-// `of_middle`: its share of the mass of a quadratic tet.
-std::vector<double> masses_of_vertices(const Model& model, double of_middle) {
+// `of_corner`, `of_middle`: their shares of the mass of a quadratic tet.
+std::vector<double> masses_of_vertices(const Model& model, double of_corner, double of_middle) {
   std::vector<double> masses(model.rest_positions.size(), 0.0);
   for (std::size_t t = 0; t < model.tets.size(); ++t) {
     const double mass = mass_of_tet(model, t);
     const bool quadratic = model.is_quadratic(t);
-    const double corner = quadratic ? QuadraticTet::kCornerMass * mass : mass / 4;
+    const double corner = quadratic ? of_corner * mass : mass / 4;
     for (const std::uint32_t vertex : model.tets[t]) masses[vertex] += corner;
     if (!quadratic) continue;
     for (const std::uint32_t vertex : model.mid_edges[t]) masses[vertex] += of_middle * mass;
@@ -33,10 +33,16 @@ std::vector<double> masses_of_vertices(const Model& model, double of_middle) {
 
 }  // namespace
 
-std::vector<double> lumped_masses(const Model& model) { return masses_of_vertices(model, QuadraticTet::kMidEdgeMass); }
+std::vector<double> lumped_masses(const Model& model) {
+  return masses_of_vertices(model, QuadraticTet::kCornerMass, QuadraticTet::kMidEdgeMass);
+}
+
+std::vector<double> consistent_masses(const Model& model) {
+  return masses_of_vertices(model, QuadraticTet::kCornerLoad, QuadraticTet::kMidEdgeLoad);
+}
 
 MovingMasses moving_masses(const Model& model) {
-  MovingMasses masses{masses_of_vertices(model, QuadraticTet::kOwnMidEdgeMass), {}};
+  MovingMasses masses{masses_of_vertices(model, QuadraticTet::kOwnCornerMass, QuadraticTet::kOwnMidEdgeMass), {}};
   if (!model.has_quadratic()) return masses;
   for (std::size_t t = 0; t < model.tets.size(); ++t)
     masses.centroid.push_back(model.is_quadratic(t) ? QuadraticTet::kCentroidMass * mass_of_tet(model, t) : 0);

@@ -1,5 +1,7 @@
 #include "sim/reference/mass_matrix.h"
 
+#include "sim/elements/quadratic_tet.h"
+
 namespace fascia::reference {
 
 using Eigen::Index;
@@ -13,9 +15,11 @@ MassMatrix::MassMatrix(const Model& model) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t t = 0; t < masses.centroid.size(); ++t) {
     if (masses.centroid[t] == 0) continue;
-    for (const std::uint32_t row : model.mid_edges[t])
-      for (const std::uint32_t column : model.mid_edges[t])
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), masses.centroid[t] / 36);
+    const ElementVertices element = model.element(t);
+    for (std::size_t a = 0; a < element.size(); ++a)
+      for (std::size_t b = 0; b < element.size(); ++b)
+        entries.emplace_back(static_cast<int>(element[a]), static_cast<int>(element[b]),
+                             masses.centroid[t] * QuadraticTet::at_centroid(a) * QuadraticTet::at_centroid(b));
   }
   coupled_.resize(count, count);
   coupled_.setFromTriplets(entries.begin(), entries.end());

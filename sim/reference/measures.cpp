@@ -23,20 +23,26 @@ QuadraticTet::Nodes gather(const std::vector<Vector3d>& vectors, const ElementVe
   return nodes;
 }
 
-/// Calls add(vertex, force) for held vertices beside free ones in the middles of a tet: what each passes on to the mass
-/// at the centroid [N], of MovingMasses::centroid.
+/// Of a field at the vertices of a quadratic tet.
+Vector3d at_centroid(const std::vector<Vector3d>& field, const ElementVertices& element) {
+  Vector3d sum(0, 0, 0);
+  for (std::size_t n = 0; n < element.size(); ++n) sum += QuadraticTet::at_centroid(n) * field[element[n]];
+  return sum;
+}
+
+/// Calls add(vertex, force) for held vertices beside free ones of a tet: what each passes on to the mass at the
+/// centroid [N], of MovingMasses::centroid.
 template <class Add>
 void pass_on_inertia(const Model& model, const State& state, const std::vector<double>& centroid, const Add& add) {
   if (state.acceleration.empty()) return;
   const std::vector<char> held = model.held();
   for (std::size_t t = 0; t < centroid.size(); ++t) {
     if (centroid[t] == 0) continue;
-    const MidEdges& middles = model.mid_edges[t];
-    if (std::all_of(middles.begin(), middles.end(), [&](std::uint32_t v) { return held[v]; })) continue;
-    Vector3d force(0, 0, 0);
-    for (const std::uint32_t v : middles) force += centroid[t] / 36 * state.acceleration[v];
-    for (const std::uint32_t v : middles)
-      if (held[v]) add(v, force);
+    const ElementVertices element = model.element(t);
+    if (std::all_of(element.begin(), element.end(), [&](std::uint32_t v) { return held[v]; })) continue;
+    const Vector3d force = centroid[t] * at_centroid(state.acceleration, element);
+    for (std::size_t n = 0; n < element.size(); ++n)
+      if (held[element[n]]) add(element[n], QuadraticTet::at_centroid(n) * force);
   }
 }
 
@@ -101,7 +107,7 @@ TetShape shape_of(const Model& model, const LinearTet& rest, const State& state,
 Measures measure(const Model& model, const State& state) {
   Measures result;
   double strain2 = 0, volume = 0, growth = 0;
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   const MovingMasses moving = moving_masses(model);
   const std::vector<char> held = model.held();
   const auto add_motion = [&](double of, const Vector3d& position, const Vector3d& velocity) {
@@ -112,12 +118,10 @@ Measures measure(const Model& model, const State& state) {
   };
   for (std::size_t t = 0; t < moving.centroid.size(); ++t) {
     if (moving.centroid[t] == 0) continue;
-    Vector3d position(0, 0, 0), velocity(0, 0, 0);
-    for (const std::uint32_t v : model.mid_edges[t]) {
-      position += (model.rest_positions[v] + state.displacement[v]) / 6;
-      velocity += state.velocity[v] / 6;
-    }
-    add_motion(moving.centroid[t], position, velocity);
+    const ElementVertices element = model.element(t);
+    add_motion(moving.centroid[t],
+               at_centroid(model.rest_positions, element) + at_centroid(state.displacement, element),
+               at_centroid(state.velocity, element));
   }
   for (std::size_t v = 0; v < mass.size(); ++v) {
     add_motion(moving.own[v], model.rest_positions[v] + state.displacement[v], state.velocity[v]);
@@ -170,7 +174,7 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
       if (!motion.vertices.empty() && is_inside(motion.vertices.front())) add(motion.vertices, motions++);
   }
   if (supports.empty()) return supports;
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v)
     if (support_of[v] != kFree) supports[support_of[v]].force -= mass[v] * model.gravity;
   if (!state.acceleration.empty())

@@ -62,6 +62,7 @@ struct NewtonSolver::Impl {
         mass(per_component(lumped_masses(model))),
         moving(model),
         gravity(model.gravity.replicate(model.rest_positions.size(), 1)),
+        weight(per_component(consistent_masses(model)).cwiseProduct(gravity)),
         size(flattened(model.rest_positions).maxCoeff() - flattened(model.rest_positions).minCoeff()),
         contact(make_contact_surface(model)),
         penalty(contact_stiffness(model, contact)),
@@ -137,8 +138,8 @@ struct NewtonSolver::Impl {
   Minimizer minimizer;
   const VectorXd mass;  // lumped [3 * vertex_count] [kg]
   const MassMatrix moving;
-  const VectorXd gravity;  // [3 * vertex_count] [m/s^2]
-  const double size;       // of the tissue [m]
+  const VectorXd gravity, weight;  // [3 * vertex_count] [m/s^2], [N]
+  const double size;               // of the tissue [m]
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
   PairSearch pairs;
@@ -234,7 +235,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
     report.go_on(minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u));
   }
   if (again == PairSearch::kMostSearches || pairs.cuts())
-    if (const auto back = pairs.taken_back(state.displacement, as_vectors(u), lumped_masses(model)))
+    if (const auto back = pairs.taken_back(state.displacement, as_vectors(u), consistent_masses(model)))
       u = flattened(*back);
   state.earlier.displacement = std::exchange(state.displacement, as_vectors(u));
   const VectorXd end_velocity = stage.velocity(u, start);
@@ -252,8 +253,8 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
                                        const ToolMotion& motion, bool lands, double tolerance, NewtonReport& report,
                                        ContactMemory& memory, VectorXd& u) {
   const VectorXd start = potential.start;
-  const double weight = lands ? mass.cwiseProduct(gravity).lpNorm<Eigen::Infinity>() : 0;  // of a vertex
-  double change = 0, unsteady = 0, largest = 0;                                            // [N]
+  const double heaviest = lands ? weight.lpNorm<Eigen::Infinity>() : 0;  // of a vertex
+  double change = 0, unsteady = 0, largest = 0;                          // [N]
   VectorXd from = u, inertia = VectorXd::Zero(u.size());
   const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
   for (int pass = 0; pass < most_passes && report.converged; ++pass) {
@@ -270,7 +271,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
     read_out(potential.contact, u);
     const double previous = std::exchange(change, unsteady);
-    largest = weight;
+    largest = heaviest;
     for (std::size_t row = 0; row < memory.size(); ++row) {
       if (row >= contact.row_count && (row - contact.row_count) % 5 == 4) continue;  // what pairs met
       const ContactForce old = before.empty() ? ContactForce{} : before[row];
@@ -318,7 +319,6 @@ NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, dou
   const HeldPath path(model, u, state.time, std::max(end, state.time + moment));
 
   // The state is in equilibrium with a part of the load; the rest is added as s increases to 1.
-  const VectorXd weight = mass.cwiseProduct(gravity);
   system.evaluate(u, {}, internal);
   const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
   std::vector<double> stiffer = penalty;

@@ -6,7 +6,7 @@ namespace fascia::reference {
 
 StaticResidual::StaticResidual(const Model& model)
     : system_(model), weight_(static_cast<Eigen::Index>(3 * model.rest_positions.size())) {
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   for (std::size_t v = 0; v < masses.size(); ++v)
     weight_.segment<3>(static_cast<Eigen::Index>(3 * v)) = masses[v] * model.gravity;
 }

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "sim/elements/quadratic_tet.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/mesh/mid_edges.h"
 #include "sim/model/model.h"
@@ -100,7 +101,7 @@ inline SolverSettings frames() {
 }
 
 /// Momentum of what free vertices move [kg m/s]: their own masses, and those at the centroids of tets with a free
-/// middle.
+/// vertex.
 inline Eigen::Vector3d free_momentum(const Model& model, const std::vector<Eigen::Vector3d>& velocity) {
   const MovingMasses masses = moving_masses(model);
   const std::vector<char> held = model.held();
@@ -109,8 +110,10 @@ inline Eigen::Vector3d free_momentum(const Model& model, const std::vector<Eigen
     if (!held[v]) momentum += masses.own[v] * velocity[v];
   for (std::size_t t = 0; t < masses.centroid.size(); ++t) {
     const auto is_held = [&](std::uint32_t v) { return held[v] != 0; };
-    if (!model.is_quadratic(t) || std::all_of(model.mid_edges[t].begin(), model.mid_edges[t].end(), is_held)) continue;
-    for (const std::uint32_t v : model.mid_edges[t]) momentum += masses.centroid[t] / 6 * velocity[v];
+    const ElementVertices element = model.element(t);
+    if (!model.is_quadratic(t) || std::all_of(element.begin(), element.end(), is_held)) continue;
+    for (std::size_t n = 0; n < element.size(); ++n)
+      momentum += masses.centroid[t] * QuadraticTet::at_centroid(n) * velocity[element[n]];
   }
   return momentum;
 }

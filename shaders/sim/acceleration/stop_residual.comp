@@ -8,7 +8,7 @@ INPUT_VEC4(Gradient, gradient)          // [vertex_count] xyz g = M (u - u~) + h
 INPUT_VEC4(Displacement, displacement)  // [vertex_count] u [m]
 INPUT_VEC4(Predicted, predicted)        // [vertex_count] xyz u~ [m], w inverse mass, 0 where constrained
 INPUT_VEC4(Velocity, velocity)          // [vertex_count] v_n [m/s]
-INPUT_FLOAT(Mass, mass)                 // [vertex_count] lumped [kg]
+INPUT_FLOAT(Mass, mass)                 // [vertex_count] row sums of M [kg]
 #include "sim/energy/terms.glsl"
 // Two arrays of `partials`: x |g|^2, y |M (u - u~)|^2, z |h^2 dU/du|^2 + |h^2 M gravity|^2, w |h^2 external forces|^2
 // [m^2]; x |M v|^2 [m^2/s^2]

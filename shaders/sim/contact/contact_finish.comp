@@ -43,10 +43,10 @@ void main() {
   }
 #endif
   vec4 rest = FETCH(contact_rest, 2u * i), force = vec4(0.0);
-  float kept = FETCH(contact_rest, 2u * i + 1u).x;
+  vec4 more = FETCH(contact_rest, 2u * i + 1u);
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = at_depth(row_at(piece, row, rest, kept, u, contact_memory_now[row], contact_row[row]), row);
+    Row r = at_depth(row_at(piece, row, rest, more, u, contact_memory_now[row], contact_row[row]), row);
     vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);

@@ -32,10 +32,10 @@ void main() {
   {
     uint near = FETCH1(contact_near, i);  // not 0: the point is listed
     vec4 rest = FETCH(contact_rest, 2u * i);
-    float kept = FETCH(contact_rest, 2u * i + 1u).x;
+    vec4 more = FETCH(contact_rest, 2u * i + 1u);
     do {
       uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-      Row r = row_at(piece, row, rest, kept, u, FETCH(contact_memory, row), FETCH(contact_anchor, row));
+      Row r = row_at(piece, row, rest, more, u, FETCH(contact_memory, row), FETCH(contact_anchor, row));
       force += vec4(force_of(r), energy_of(r));
       add_stiffness(block, r, FETCH(contact_normal, row).xyz);
       near &= near - 1u;

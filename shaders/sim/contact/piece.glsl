@@ -1,6 +1,6 @@
 // Rigid pieces of tools: poses and signed distances (sim/tool/shape_distance.h). The defines CAPSULES, BOXES, PLANES,
 // CYLINDERS and MESHES say which shapes there are; a sphere is a capsule without a length.
-#define PIECE_ROWS 12u
+#define PIECE_ROWS 13u
 #define MOST_PIECES 32u
 #define NO_PLANE 3e38
 INPUT_VEC4(ContactPieces, contact_pieces)  // [PIECE_ROWS * pieces]: sim/gpu/contact/contact_term.cpp
@@ -20,13 +20,17 @@ bool same(PiecePose a, PiecePose b) { return a.axes == b.axes && a.origin == b.o
 vec3 to_local(PiecePose pose, vec3 x) { return (x - pose.origin) * pose.axes; }
 
 float friction_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece).w; }
-float share_of_penalty(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 1u).w; }
 float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2u).w; }
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
 float finest_radius(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 10u).w; }
 float full_slip(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).x; }  // [m] after which points bear all friction
-vec3 rest_of_origin(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).yzw; }  // at the end, less its float32 value [m]
+// What float32 loses [m] of where the piece is at the end; of a distance beside it, with a local normal, by its sizes.
+vec3 lost_place(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).yzw; }
+float lost_distance(uint piece, vec3 normal) {
+  vec4 lost = FETCH(contact_pieces, PIECE_ROWS * piece + 12u);  // of half sizes, of the radius
+  return -dot(abs(normal), lost.xyz) - lost.w;
+}
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 

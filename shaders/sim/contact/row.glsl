@@ -11,23 +11,23 @@ struct Row {
   float bound;                             // b [N]
 };
 
-// `rest`: xyz place at rest [m], w penalty; `kept`: lambda over the force before; `memory`: xyz t in the axes of the piece,
-// w that force; `anchor`: the u with which
-// the point would go where the piece goes, w c.
-Row row_at(uint piece, uint row, vec4 rest, float kept, vec3 u, vec4 memory, vec4 anchor) {
+// `rest`, `more`: of contact_rest; `memory`: xyz t in the axes of the piece, w the force of the stage before; `anchor`: the u
+// with which the point would go where the piece goes, w c.
+Row row_at(uint piece, uint row, vec4 rest, vec4 more, vec3 u, vec4 memory, vec4 anchor) {
   precise vec3 x = rest.xyz + u;
-  precise vec3 lost = (rest.xyz - (x - (x - rest.xyz))) + (u - (x - rest.xyz));  // of the sum (Knuth 1969)
+  precise vec3 lost = (rest.xyz - (x - (x - rest.xyz))) + (u - (x - rest.xyz)) + more.yzw;  // of the sum (Knuth 1969)
   PiecePose pose = pose_at_end(piece);
   vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
   if (n0.w == NO_PLANE) {
     d = distance_to(piece, to_local(pose, x));
+    d.w += lost_distance(piece, d.xyz);
     d.xyz = pose.axes * d.xyz;
+    lost -= lost_place(piece);
   }
-  // Rounded places are off by more than what small stiff tissue lets in under its load.
-  d.w += dot(d.xyz, n0.w == NO_PLANE ? lost - rest_of_origin(piece) : lost);
+  d.w += dot(d.xyz, lost);  // rounded places are off by more than what small stiff tissue lets in under its load
   Row r;
-  r.before = kept * memory.w;
-  r.penalty = share_of_penalty(piece) * rest.w;
+  r.before = more.x * memory.w;
+  r.penalty = rest.w;
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;

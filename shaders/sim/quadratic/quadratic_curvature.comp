@@ -110,12 +110,14 @@ void add_terms(uint e, int q, Tet tet, Held held, vec4 material, vec4 pointwise,
 }
 
 vec3 inertia_of(uint e) {
-  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec4 c = FETCH(tet_vertices, FIRST_QUADRATIC + e), m = FETCH(mid_edges, 2u * e);
   uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
-  vec3 fine = MEAN_OF_MIDDLES(fine_direction, m, n);
+#define FINE(v) FETCH(fine_direction, v).xyz
+  vec3 fine = AT_CENTROID(FINE, c, m, n);
   vec3 terms = vec3(dot(fine, fine), 0.0, 0.0);
 #if SPLIT
-  vec3 coarse = MEAN_OF_MIDDLES(coarse_direction, m, n);
+#define COARSE(v) FETCH(coarse_direction, v).xyz
+  vec3 coarse = AT_CENTROID(COARSE, c, m, n);
   terms.yz = vec2(dot(fine, coarse), dot(coarse, coarse));
 #endif
   return FETCH(predicted_centroid, e).w * terms;

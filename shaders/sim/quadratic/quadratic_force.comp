@@ -25,22 +25,21 @@ PointGradients point_gradients(uint e, Tet tet) {
 }
 
 // How far the centroid is from its u~, by differences, so that a translation costs no accuracy; w mass.
-vec4 lag_of_centroid(uint e) {
+vec4 lag_of_centroid(uint e, uvec4 c) {
   uvec4 m = FETCH(mid_edges, 2u * e);
   uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
   vec4 center = FETCH(predicted_centroid, e);
-  vec3 sum = (displacement_of(m.x) - center.xyz) + (displacement_of(m.y) - center.xyz) + (displacement_of(m.z) - center.xyz) +
-             (displacement_of(m.w) - center.xyz) + (displacement_of(n.x) - center.xyz) + (displacement_of(n.y) - center.xyz);
-  return vec4(sum / 6.0, center.w);
+#define LAG(v) (displacement_of(v) - center.xyz)
+  return vec4(AT_CENTROID(LAG, c, m, n), center.w);
 }
 
 #if FROM_START
 // The way of the centroid in the stage so far [m].
-vec3 way_of_centroid(uint e) {
+vec3 way_of_centroid(uint e, uvec4 c) {
   uvec4 m = FETCH(mid_edges, 2u * e);
   uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
 #define WAY(v) (displacement_of(v) - FETCH(start_displacement, v).xyz)
-  return (WAY(m.x) + WAY(m.y) + WAY(m.z) + WAY(m.w) + WAY(n.x) + WAY(n.y)) / 6.0;
+  return AT_CENTROID(WAY, c, m, n);
 }
 #endif
 
@@ -63,26 +62,26 @@ void main() {
   QuadraticForces f = forces_of(tet, h);  // by now, the stresses
   float scale = SUBSTEP * SUBSTEP * tet.volume;
   vec4 lag = vec4(0.0);
-  APART(tet, lag = lag_of_centroid(e);)
-  vec3 inertia = lag.w / 6.0 * lag.xyz;  // share of a middle
+  APART(tet, lag = lag_of_centroid(e, tet.v);)
+  vec3 inertia = lag.w * lag.xyz, of_corner = CORNER_AT_CENTROID * inertia, of_middle = MIDDLE_AT_CENTROID * inertia;
 #if FROM_START
   vec3 way = vec3(0.0);
-  APART(tet, way = way_of_centroid(e);)
+  APART(tet, way = way_of_centroid(e, tet.v);)
   float kinetic = 0.5 * lag.w * dot(way, 2.0 * lag.xyz - way);
 #else
-  float kinetic = 3.0 * dot(inertia, lag.xyz);
+  float kinetic = 0.5 * dot(inertia, lag.xyz);
 #endif
   uvec4 slot = FETCH(quadratic_slots, 3u * e);
-  correction[slot.x] = vec4(scale * f.corner[0], scale * energy + kinetic);
-  STORE3(correction[slot.y], scale * f.corner[1])
-  STORE3(correction[slot.z], scale * f.corner[2])
-  STORE3(correction[slot.w], scale * f.corner[3])
+  correction[slot.x] = vec4(scale * f.corner[0] + of_corner, scale * energy + kinetic);
+  STORE3(correction[slot.y], scale * f.corner[1] + of_corner)
+  STORE3(correction[slot.z], scale * f.corner[2] + of_corner)
+  STORE3(correction[slot.w], scale * f.corner[3] + of_corner)
   slot = FETCH(quadratic_slots, 3u * e + 1u);
-  STORE3(correction[slot.x], scale * f.middle[0] + inertia)
-  STORE3(correction[slot.y], scale * f.middle[1] + inertia)
-  STORE3(correction[slot.z], scale * f.middle[2] + inertia)
-  STORE3(correction[slot.w], scale * f.middle[3] + inertia)
+  STORE3(correction[slot.x], scale * f.middle[0] + of_middle)
+  STORE3(correction[slot.y], scale * f.middle[1] + of_middle)
+  STORE3(correction[slot.z], scale * f.middle[2] + of_middle)
+  STORE3(correction[slot.w], scale * f.middle[3] + of_middle)
   slot = FETCH(quadratic_slots, 3u * e + 2u);
-  STORE3(correction[slot.x], scale * f.middle[4] + inertia)
-  STORE3(correction[slot.y], scale * f.middle[5] + inertia)
+  STORE3(correction[slot.x], scale * f.middle[4] + of_middle)
+  STORE3(correction[slot.y], scale * f.middle[5] + of_middle)
 }

@@ -1,5 +1,5 @@
-// u~ of what moves at the centroid of every quadratic tet (sim/elements/quadratic_tet.h): the mean of those in the middles
-// of its edges, of which constrained ones lack gravity. After predict.
+// u~ of what moves at the centroid of every quadratic tet (sim/elements/quadratic_tet.h), from that of its vertices, of
+// which constrained ones lack gravity. After predict.
 #include "common/io.glsl"
 #include "common/step.glsl"
 #include "common/quadratic_tet.glsl"
@@ -14,8 +14,7 @@ vec3 predicted_of(uint v) {
 
 void main() {
   ITEM_OR_RETURN(e)
-  uvec4 m = FETCH(mid_edges, 2u * e);
+  uvec4 c = FETCH(tet_vertices, FIRST_QUADRATIC + e), m = FETCH(mid_edges, 2u * e);
   uvec2 n = FETCH(mid_edges, 2u * e + 1u).xy;
-  predicted_centroid[e].xyz = (predicted_of(m.x) + predicted_of(m.y) + predicted_of(m.z) + predicted_of(m.w) +
-                               predicted_of(n.x) + predicted_of(n.y)) / 6.0;
+  predicted_centroid[e].xyz = AT_CENTROID(predicted_of, c, m, n);
 }

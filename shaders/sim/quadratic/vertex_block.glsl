@@ -7,7 +7,7 @@
 #include "sim/quadratic/law.glsl"
 INPUT_UINT(QuadraticBegin, quadratic_begin)    // [vertex_count + 1]
 INPUT_UINT(VertexQuadratic, vertex_quadratic)  // [10 * quadratic_count] 10 * e + node, sorted by vertex
-INPUT_VEC4(PredictedCentroid, predicted_centroid)  // [quadratic_count] w mass [kg], of which a middle sees 1 / 36
+INPUT_VEC4(PredictedCentroid, predicted_centroid)  // [quadratic_count] w mass [kg]
 
 struct Centroid {
   mat3 h;
@@ -81,7 +81,8 @@ Sym3 quadratic_block(uint v) {
       block.s += bulk * x.yxx * x.zzy;
 #endif
     }
-    if (node >= 4u) sum.d += FETCH(predicted_centroid, e).w / 36.0;
+    float at_centroid = node < 4u ? CORNER_AT_CENTROID : MIDDLE_AT_CENTROID;
+    sum.d += at_centroid * at_centroid * FETCH(predicted_centroid, e).w;
     sum.d += scale * block.d;
     sum.s += scale * block.s;
   }

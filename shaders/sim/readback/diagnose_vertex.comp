@@ -5,7 +5,7 @@
 #include "common/step.glsl"
 COMPUTE_1D
 INPUT_VEC4(RestPosition, rest_position)  // [vertex_count] w inverse mass [1/kg]
-INPUT_FLOAT(Mass, mass)                  // [vertex_count] lumped [kg], also of constrained vertices
+INPUT_FLOAT(Mass, mass)                  // [vertex_count] row sums of M [kg], also of constrained vertices
 #if QUADRATIC_TETS
 INPUT_FLOAT(OwnMass, own_mass)  // [vertex_count] without what moves at centroids, which centroid_diagnose adds up [kg]
 #define OWN_MASS(v, mass) FETCH1(own_mass, v)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/elements/quadratic_tet.h"
 #include "sim/model/unconstrained_parts.h"
 
 namespace fascia {
@@ -258,9 +259,11 @@ std::vector<BodyInertia> BodyMotions::inertia_of(const std::vector<Vector3d>& pr
       const std::uint32_t body = bodies_[model_->tets[t][0]];
       if (masses_.centroid[t] == 0 || !free_[body]) continue;
       Vector3d place(0, 0, 0), way(0, 0, 0);
-      for (const std::uint32_t v : model_->mid_edges[t]) {
-        place += (model_->rest_positions[v] + u[v]) / 6;
-        way += (predicted[v] - u[v]) / 6;
+      const ElementVertices element = model_->element(t);
+      for (std::size_t n = 0; n < element.size(); ++n) {
+        const std::uint32_t v = element[n];
+        place += QuadraticTet::at_centroid(n) * (model_->rest_positions[v] + u[v]);
+        way += QuadraticTet::at_centroid(n) * (predicted[v] - u[v]);
       }
       f(bodies[body], masses_.centroid[t], place, way);
     }

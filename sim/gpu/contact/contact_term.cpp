@@ -177,7 +177,8 @@ void ContactTerm::upload_points(const Model& model) {
     for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
     weights.push_back(row_of({point.weights[0], point.weights[1], point.weights[2]}));
     rest.push_back(row_of(x, stiffness_[p]));
-    rest.push_back(row_of({kept_.empty() ? 1 : kept_[p], 0, 0}));
+    const Vector3d lost = rounding_of(x);
+    rest.push_back(row_of({kept_.empty() ? 1 : kept_[p], lost.x(), lost.y()}, lost.z()));
   }
   weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
   rest_.upload(0, rest.size() * sizeof(vec4), rest.data());
@@ -300,14 +301,15 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
       for (RigidPose* pose : {&before, &after}) pose->origin += pose->axes * by - origin_;
     }
     const PieceRows shape = piece_rows_of(placed, first_nodes_[piece.tool]);
-    const double share = 1.0 / (1 << (2 * piece.level)), reach = farthest_way(placed, before, after) + margin_;
-    add(rows, after, tool.friction, share, reach, half_thickness_);
+    const double reach = farthest_way(placed, before, after) + margin_;
+    add(rows, after, tool.friction, 0, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row_of(to.pose.origin - origin_, std::min(finest_radius(tool.shape), 1e30)));
-    const Vector3d rounded = after.origin.cast<float>().cast<double>(), rest = after.origin - rounded;
-    rows.push_back(row_of({surface_.full_slip, rest.x(), rest.y()}, rest.z()));
+    const Vector3d lost = rounding_of(after.origin) + after.axes * shape.lost_place;
+    rows.push_back(row_of({surface_.full_slip, lost.x(), lost.y()}, lost.z()));
+    rows.push_back(row_of(shape.lost_half, shape.lost_radius));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;

@@ -102,7 +102,7 @@ class ContactTerm : public EnergyTerm {
  private:
   static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
   static constexpr std::uint32_t kStretch = 256;   // of points that one invocation lists
-  static constexpr std::size_t kPieceRows = 12;    // shaders/sim/contact/piece.glsl
+  static constexpr std::size_t kPieceRows = 13;    // shaders/sim/contact/piece.glsl
   static constexpr float kNoPlane = 3e38F;         // the same, and of no depth
 
   void make_grids();

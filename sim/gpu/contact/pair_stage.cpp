@@ -56,7 +56,7 @@ bool PairStage::search_again(SimBuffers& buffers, std::uint32_t first_row) {
 void PairStage::take_back(SimBuffers& buffers) {
   if (empty() || !search_.sees_near()) return;
   end_ = buffers.download_vectors(buffers.displacement);
-  const auto back = timed([&] { return search_.taken_back(start_, end_, lumped_masses(model_)); });
+  const auto back = timed([&] { return search_.taken_back(start_, end_, consistent_masses(model_)); });
   if (!back) return;
   buffers.upload_displacements(*back, buffers.displacement.read<shared::vec4>());
   ++taken_back_;

@@ -8,11 +8,15 @@
 namespace fascia {
 
 /// A vector and a number as a row of a buffer.
+/// What float32 loses of it.
+Eigen::Vector3d rounding_of(const Eigen::Vector3d& v);
 shared::vec4 row_of(const Eigen::Vector3d& v, double w = 0);
 
 struct PieceRows {
   int kind;
   shared::vec4 a, b;
+  Eigen::Vector3d lost_place{0, 0, 0}, lost_half{0, 0, 0};  // roundings in its axes [m]; half: half sizes of a box
+  double lost_radius = 0;
 };
 /// `first_node`: of the grid of a mesh, in the buffer of all grids.
 PieceRows piece_rows_of(const ToolShape& shape, std::size_t first_node = 0);

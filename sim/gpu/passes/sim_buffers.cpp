@@ -330,13 +330,13 @@ void SimBuffers::upload_materials(const Model& model) {
     for (const Material& m : model.materials) values.push_back(to_vec4(m, hardness));
     materials.upload(0, values.size() * sizeof(vec4), values.data());
   }
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = lumped_masses(model), rows = consistent_masses(model);
   const std::vector<char> held = model.held();
   std::vector<vec4> rest(vertex_count);
   std::vector<float> mass_values(vertex_count);
   for (std::size_t i = 0; i < vertex_count; ++i) {
     rest[i] = to_vec4(model.rest_positions[i], held[i] || masses[i] <= 0 ? 0 : 1 / masses[i]);
-    mass_values[i] = static_cast<float>(masses[i]);
+    mass_values[i] = static_cast<float>(rows[i]);
   }
   mean_mass = std::accumulate(masses.begin(), masses.end(), 0.0) / vertex_count;
   rest_position.upload(0, rest.size() * sizeof(vec4), rest.data());

@@ -47,7 +47,7 @@ struct SimBuffers {
 
   // Constants of the model.
   gl::Buffer rest_position;  // vec4 [vertex_count] X [m], w inverse mass [1/kg], 0 where constrained
-  gl::Buffer mass;           // float [vertex_count] lumped [kg]
+  gl::Buffer mass;           // float [vertex_count] consistent_masses() [kg]
   gl::Buffer tet_vertices;   // uvec4 [tet_count]
   gl::Buffer tet_shape;      // vec4 [3 * tet_count] rows of Dm^-1 [1/m], w of the first row: volume [m^3]; of a pair's
                              // first tet also d1, d2

@@ -37,7 +37,7 @@ MassMatrix ForceBalance::masses(const Model& nearby) {
 VectorXd ForceBalance::weight(const Model& nearby) {
   set_materials(nearby);
   VectorXd all(static_cast<Index>(3 * model_.rest_positions.size()));
-  const std::vector<double> masses = lumped_masses(model_);
+  const std::vector<double> masses = consistent_masses(model_);
   for (std::size_t v = 0; v < masses.size(); ++v)
     all.segment<3>(static_cast<Index>(3 * v)) = masses[v] * nearby.gravity;
   return all;

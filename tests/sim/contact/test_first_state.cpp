@@ -29,7 +29,7 @@ Tool ground(const Vector3d& normal = {0, 1, 0}, double height = 0) {
 }
 
 double weight_of(const Model& model) {
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   return kGravity * std::accumulate(masses.begin(), masses.end(), 0.0);
 }
 

@@ -106,10 +106,11 @@ TEST_CASE("what moves at the centroid leaves a quadratic tet its mass, its cente
     center += m * at;
     moments += m * at * at.transpose();
   };
-  Vector3d mean_of_middles = Vector3d::Zero();
+  Vector3d centroid = Vector3d::Zero();
   for (const Vector3d& corner : x) {
-    mass += QuadraticTet::kCornerMass;
-    add(QuadraticTet::kCornerMass, corner);
+    mass += QuadraticTet::kOwnCornerMass;
+    add(QuadraticTet::kOwnCornerMass, corner);
+    centroid += QuadraticTet::at_centroid(0) * corner;
     sum += corner;
     exact += corner * corner.transpose() / 20;
   }
@@ -117,14 +118,28 @@ TEST_CASE("what moves at the centroid leaves a quadratic tet its mass, its cente
     const Vector3d middle = 0.5 * (x[a] + x[b]);
     mass += QuadraticTet::kOwnMidEdgeMass;
     add(QuadraticTet::kOwnMidEdgeMass, middle);
-    mean_of_middles += middle / 6;
+    centroid += QuadraticTet::at_centroid(4) * middle;
   }
-  add(QuadraticTet::kCentroidMass, mean_of_middles);
+  add(QuadraticTet::kCentroidMass, centroid);
   exact += sum * sum.transpose() / 20;  // the mean of x x^T over a tet: (sum x_a x_a^T + sum x_a sum x_a^T) / 20
   CAPTURE(mass, center.transpose(), moments, exact);
   CHECK(mass == Approx(1).epsilon(1e-14));
   CHECK((center - sum / 4).norm() < 1e-14);
   CHECK((moments - exact).norm() < 1e-14);
+}
+
+TEST_CASE("row sums of the mass matrix of a quadratic tet are the integrals of its shape functions") {
+  // The mean of L1^a L2^b is a! b! 3! / (a + b + 3)!.
+  const double corner = 2 * (2 * 6 / 120.0) - 6 / 24.0, middle = 4 * 6 / 120.0;  // 2 L^2 - L, 4 L1 L2
+  for (std::size_t n = 0; n < 10; ++n) {
+    const double own = n < 4 ? QuadraticTet::kOwnCornerMass : QuadraticTet::kOwnMidEdgeMass;
+    CAPTURE(n);
+    CHECK(own + QuadraticTet::kCentroidMass * QuadraticTet::at_centroid(n) ==
+          Approx(n < 4 ? corner : middle).epsilon(1e-14));
+    CHECK((n < 4 ? QuadraticTet::kCornerLoad : QuadraticTet::kMidEdgeLoad) ==
+          Approx(n < 4 ? corner : middle).epsilon(1e-14));
+    CHECK(QuadraticTet::at_centroid(n) == Approx(QuadraticTet::shape_functions({0.25, 0.25, 0.25, 0.25})[n]));
+  }
 }
 
 TEST_CASE("lumped masses of a quadratic tet are in the ratio of the diagonal of its mass matrix") {

@@ -20,7 +20,7 @@ TEST_CASE("a spinning, moving body has the momenta and energy of its masses", "[
   const Vector3d spin(0, 0, 3), drift(1, 0, -2), shift(0, 5, 0);
   Vector3d center = Vector3d::Zero();
   double inertia = 0;  // about z through the center of mass
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v) center += mass[v] * model.rest_positions[v] / 8;
   for (std::size_t v = 0; v < mass.size(); ++v) {
     const Vector3d arm = model.rest_positions[v] - center;

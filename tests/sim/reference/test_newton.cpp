@@ -52,7 +52,7 @@ TEST_CASE("a step solves the equations of implicit Euler", "[newton]") {
       CHECK(report.converged);
 
       // The residual, computed independently from the tets.
-      const std::vector<double> mass = lumped_masses(model);
+      const std::vector<double> mass = consistent_masses(model);
       std::vector<Vector3d> force(mass.size(), Vector3d::Zero());
       double force_size = 0;
       for (std::size_t t = 0; t < model.tets.size(); ++t) {
@@ -123,7 +123,7 @@ TEST_CASE("free bodies keep momentum, and lose as much angular momentum as impli
     State state = disturbed(model, 0.005, 0.3, 23);
     for (std::size_t v = 0; v < state.velocity.size(); ++v)
       state.velocity[v] += Vector3d(1, 2, 3) + Vector3d(0, 3, 5).cross(model.rest_positions[v]);
-    const std::vector<double> mass = lumped_masses(model);
+    const std::vector<double> mass = consistent_masses(model);
     const double h = 1.0 / 100;
     NewtonSolver solver(model, time_step(h));
     const Measures start = measure(model, state);

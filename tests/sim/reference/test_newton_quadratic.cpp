@@ -98,7 +98,7 @@ TEST_CASE("patches of irregular quadratic tets take affine displacements exactly
 
 TEST_CASE("quadratic tets have the mass of their volume and fall freely as a rigid body", "[quadratic]") {
   Model model = quadratic(box_model(2, 1, 1, {0.2, 0.1, 0.1}, soft(1e5, 0.45)));
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   double sum = 0;
   for (const double m : mass) {
     CHECK(m > 0);

@@ -22,7 +22,7 @@ Model hanging() {
 
 TEST_CASE("at rest the residual is the weight of the free vertices over the whole weight") {
   const Model model = hanging();
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   double all = 0, free = 0;
   const std::vector<char> held = model.held();
   for (std::size_t v = 0; v < masses.size(); ++v) {

@@ -32,7 +32,7 @@ Model stiff_cubes(double young_modulus) {
 }
 
 Vector3d momentum_of(const Model& model, const State& state) {
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   Vector3d sum(0, 0, 0);
   for (std::size_t v = 0; v < masses.size(); ++v) sum += masses[v] * state.velocity[v];
   return sum;

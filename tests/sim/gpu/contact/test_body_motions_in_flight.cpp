@@ -52,7 +52,7 @@ TEST_CASE("what nothing holds keeps its momentum in unfinished iterations", "[gp
   GpuSolver solver(gpu.programs, model, settings);
   const UnconstrainedParts free = unconstrained_parts(model, model.held());
   REQUIRE(free.parts == 2);
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   for (int k = 0; k < 30; ++k) solver.step();
   const State state = solver.download();
   for (std::uint32_t part = 1; part <= 2; ++part) {
@@ -90,7 +90,7 @@ TEST_CASE("what nothing holds turns on in unfinished iterations", "[gpu]") {
     solver.step();
     newton.step(exact);
   }
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   const auto energy_of = [&](const State& state) {
     double energy = 0;
     for (std::size_t v = 0; v < masses.size(); ++v) energy += 0.5 * masses[v] * state.velocity[v].squaredNorm();

@@ -108,7 +108,7 @@ TEST_CASE("tissue that is pressed on the ground begins a step where it moves on"
                  tool("ball", SphereShape{{0, 0, 0}, 0.06}, 0.4,
                       {{0, {0.1, 0.26, 0.1}, {0, 0, 0}}, {0.5, {0.11, 0.21, 0.1}, {0, 0, 0}}})};
   SolverSettings few = two_level();
-  few.iterations = 4;
+  few.iterations = 5;
   GpuSolver solver(gpu.programs, model, few);
   reference::NewtonSolver newton(model, few);
   State state = first_state(model);

@@ -19,12 +19,12 @@ constexpr double kGravity = 9.81;
 
 double mass_of(const Model& model) {
   double sum = 0;
-  for (const double mass : lumped_masses(model)) sum += mass;
+  for (const double mass : consistent_masses(model)) sum += mass;
   return sum;
 }
 
 Vector3d velocity_of(const Model& model, const State& state) {
-  const std::vector<double> masses = lumped_masses(model);
+  const std::vector<double> masses = consistent_masses(model);
   Vector3d sum(0, 0, 0);
   for (std::size_t v = 0; v < masses.size(); ++v) sum += masses[v] * state.velocity[v];
   return sum / mass_of(model);

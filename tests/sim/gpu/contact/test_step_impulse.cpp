@@ -25,7 +25,7 @@ SolverSettings in_stages(Integrator integrator, int substeps) {
 
 // Of the vertices from `first` on [kg m/s].
 Vector3d momentum(const Model& model, const State& state, std::size_t first = 0) {
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   Vector3d sum(0, 0, 0);
   for (std::size_t v = first; v < mass.size(); ++v) sum += mass[v] * state.velocity[v];
   return sum;
@@ -33,7 +33,7 @@ Vector3d momentum(const Model& model, const State& state, std::size_t first = 0)
 
 double mass_of(const Model& model, std::size_t first = 0) {
   double sum = 0;
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   for (std::size_t v = first; v < mass.size(); ++v) sum += mass[v];
   return sum;
 }

@@ -37,7 +37,7 @@ TEST_CASE("diagnostics equal the reference measures", "[gpu]") {
   CHECK(got->elastic == Approx(expected.elastic).epsilon(5e-6));
   // A sum of terms of both signs: the rounding is that of its largest terms.
   double weights = 0;
-  const std::vector<double> mass = lumped_masses(model);
+  const std::vector<double> mass = consistent_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v) weights += std::abs(mass[v] * model.gravity.dot(state.displacement[v]));
   CHECK(got->gravitational == Approx(expected.gravitational).margin(5e-7 * weights));
   CHECK(std::abs(got->volume_ratio - expected.volume_ratio) < 5e-6);
