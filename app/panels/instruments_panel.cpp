@@ -26,6 +26,9 @@ void load_rows(const std::optional<ToolLoad>& load) {
   };
   const ToolLoad l = load.value_or(ToolLoad());
   row("Force", engineering(l.force.norm(), "N"), "On the tissue, x, y and z: " + components(l.force, "N") + mean);
+  row("Normal", engineering(l.normal, "N"),
+      "Sum of the normal forces of all points, whatever their directions. Of jaws that hold tissue, twice their grip" +
+          mean);
   row("Torque", engineering(l.torque.norm(), "Nm"),
       "Of that force about the origin of the instrument, x, y and z: " + components(l.torque, "Nm") + mean);
   row("Deepest", engineering(l.deepest, "m"),

@@ -15,9 +15,11 @@ std::vector<ToolLoad> ToolReadings::mean() const {
   for (std::size_t t = 0; t < mean.size(); ++t) {
     mean[t].force.setZero();
     mean[t].torque.setZero();
+    mean[t].normal = 0;
     for (const Reading& reading : readings_) {
       mean[t].force += reading.loads[t].force / static_cast<double>(readings_.size());
       mean[t].torque += reading.loads[t].torque / static_cast<double>(readings_.size());
+      mean[t].normal += reading.loads[t].normal / static_cast<double>(readings_.size());
     }
   }
   return mean;

@@ -211,6 +211,7 @@ std::vector<ToolLoad> ContactEnergy::loads(const VectorXd& u) const {
     load.force += force;
     load.torque += (contact.x - placed.origin).cross(force);
     if (contact.pressing == 0) continue;
+    load.normal += contact.pressing;
     ++load.points;
     load.deepest = std::max(load.deepest, contact.depth);
   }

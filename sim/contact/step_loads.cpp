@@ -10,6 +10,7 @@ void add_forces(std::vector<ToolLoad>& sum, double share, const std::vector<Tool
   for (std::size_t tool = 0; tool < loads.size(); ++tool) {
     sum[tool].force += share * loads[tool].force;
     sum[tool].torque += share * loads[tool].torque;
+    sum[tool].normal += share * loads[tool].normal;
   }
 }
 

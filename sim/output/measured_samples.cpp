@@ -14,7 +14,10 @@ Sample unknown_at(double time, std::size_t tools) {
     *value = Sample::kUnknown;
   sample.momentum = sample.reaction = sample.grab = unknown;
   sample.tools.resize(tools);
-  for (ToolLoad& load : sample.tools) load.force = load.torque = unknown;
+  for (ToolLoad& load : sample.tools) {
+    load.force = load.torque = unknown;
+    load.normal = Sample::kUnknown;
+  }
   return sample;
 }
 

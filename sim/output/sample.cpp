@@ -152,7 +152,8 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
   for (std::size_t k = 0; k < supports.size(); ++k)
     for (const char* axis : {"_x_N", "_y_N", "_z_N"}) out.add(",support_").add(k).add(axis);
   for (const Tool& tool : model.tools)
-    for (const char* value : {"_x_N", "_y_N", "_z_N", "_deepest_m", "_torque_x_Nm", "_torque_y_Nm", "_torque_z_Nm"})
+    for (const char* value :
+         {"_x_N", "_y_N", "_z_N", "_deepest_m", "_torque_x_Nm", "_torque_y_Nm", "_torque_z_Nm", "_normal_N"})
       out.add(",contact_").add(column_name(tool.name)).add(value);
   const std::vector<std::array<std::uint32_t, 2>> pairs = touching_bodies(model);
   for (const auto& [a, b] : pairs) {
@@ -178,7 +179,7 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
       }
     for (const ToolLoad& load : sample.tools)
       for (const double value : {load.force.x(), load.force.y(), load.force.z(), load.deepest, load.torque.x(),
-                                 load.torque.y(), load.torque.z()}) {
+                                 load.torque.y(), load.torque.z(), load.normal}) {
         out.add(',');
         add_cell(value);
       }

@@ -22,6 +22,7 @@ Json contact_forces(const Model& model, const std::vector<ToolLoad>& loads) {
   for (std::size_t t = 0; t < loads.size(); ++t)
     contact[model.tools[t].name] = {{"force_N", to_json(loads[t].force)},
                                     {"torque_Nm", to_json(loads[t].torque)},
+                                    {"normal_N", loads[t].normal},
                                     {"points", loads[t].points},
                                     {"deepest_m", loads[t].deepest}};
   return contact;

@@ -150,7 +150,7 @@ void Simulation::wake() {
 }
 
 void Simulation::renew_reference() {
-  reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver);
+  reference_ = std::make_unique<reference::NewtonSolver>(model, scene.solver, interrupt_token());
   reference_->set_springs(springs_);
 }
 

@@ -67,7 +67,7 @@ StaticReport Simulation::solve_static(const std::function<void(const StaticRepor
   if (reference_) {  // which then has the forces of contact
     reference_->set_stop(stop);
     newton_report_ = by_newton(*reference_, reference_state_, scene.solver.tolerance);
-    reference_->set_stop({});
+    reference_->set_stop(interrupt_token());
     if (gpu_) gpu_->upload(reference_state_);
     return report_of(newton_report_, scene.solver.tolerance);
   }

@@ -1,4 +1,4 @@
-// Force and torque of every piece on the tissue: LOAD_LANES partial sums for each, which the CPU adds. After
+// Force, torque and normal forces of every piece on the tissue: LOAD_LANES partial sums for each, which the CPU adds. After
 // contact_finish.
 #include "common/io.glsl"
 COMPUTE_1D
@@ -7,13 +7,15 @@ COMPUTE_1D
 INPUT_VEC4(ContactRest, contact_rest)  // [2 * points] point.glsl
 INPUT_VEC4(Displacement, displacement)      // [vertex_count] u [m]
 INPUT_VEC4(ContactRow, contact_row)         // [rows] xyz force [N], w depth [m], -1 if apart
-OUTPUT(vec4, ContactLoads, contact_loads)   // [2 * LOAD_LANES * pieces] xyz force, w points; xyz torque, w largest depth
+INPUT_VEC4(ContactMemory, contact_memory)   // [rows] w normal force [N]
+OUTPUT(vec4, ContactLoads, contact_loads)   // [3 * LOAD_LANES * pieces] xyz force, w points; xyz torque, w largest depth; x normal forces
 
 void main() {
   ITEM_OR_RETURN(i)
   uint piece = i / uint(LOAD_LANES), lane = i % uint(LOAD_LANES), points = points_of(piece), first = first_row_of(piece);
   vec3 origin = FETCH(contact_pieces, PIECE_ROWS * piece + 10u).xyz;
   vec4 force = vec4(0.0), torque = vec4(0.0);
+  float normal = 0.0;
   for (uint p = lane; p < points; p += uint(LOAD_LANES)) {
     vec4 row = FETCH(contact_row, first + p);
     if (row.w == 0.0 && dot(row.xyz, row.xyz) == 0.0) continue;
@@ -23,7 +25,9 @@ void main() {
     force += vec4(row.xyz, row.w >= 0.0 ? 1.0 : 0.0);
     torque.xyz += cross(x - origin, row.xyz);
     torque.w = max(torque.w, row.w);
+    normal += FETCH(contact_memory, first + p).w;
   }
-  contact_loads[2u * i] = force;
-  contact_loads[2u * i + 1u] = torque;
+  contact_loads[3u * i] = force;
+  contact_loads[3u * i + 1u] = torque;
+  contact_loads[3u * i + 2u] = vec4(normal, 0.0, 0.0, 0.0);
 }

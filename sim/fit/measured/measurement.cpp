@@ -85,7 +85,7 @@ class CurveReader {
   // Of contact, but no force of a tool on the tissue.
   bool is_of_contact_only(const std::string& name) const {
     if (!name.starts_with("contact_")) return false;
-    if (name.ends_with("_deepest_m") || name.ends_with("_Nm")) return true;
+    if (name.ends_with("_deepest_m") || name.ends_with("_Nm") || name.ends_with("_normal_N")) return true;
     return std::any_of(between_.begin(), between_.end(), [&](const std::string& of) { return name.starts_with(of); });
   }
 

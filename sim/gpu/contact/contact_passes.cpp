@@ -252,6 +252,7 @@ gl::ComputePass ContactTerm::load_pass(gl::ProgramCache& programs) const {
            {"contact_rest", &rest_},
            {"displacement", &buffers_.displacement},
            {"contact_row", &rows_},
+           {"contact_memory", &buffers_.contact_memory},
            {"contact_loads", &loads_}},
           kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size())};
 }

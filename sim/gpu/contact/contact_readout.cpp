@@ -61,10 +61,12 @@ ContactLoads ContactTerm::sum_of(const std::vector<vec4>& loads, const std::vect
   ContactLoads result{std::vector<ToolLoad>(tools_.size()), {}};
   for (std::size_t p = 0; p < surface_.pieces.size(); ++p)
     for (std::size_t lane = 0; lane < kLoadLanes; ++lane) {
-      const vec4 &force = loads[2 * (kLoadLanes * p + lane)], &torque = loads[2 * (kLoadLanes * p + lane) + 1];
+      const vec4* const sums = &loads[3 * (kLoadLanes * p + lane)];
+      const vec4 &force = sums[0], &torque = sums[1];
       ToolLoad& load = result.tools[surface_.pieces[p].tool];
       load.force += Vector3d(force.x, force.y, force.z);
       load.torque += Vector3d(torque.x, torque.y, torque.z);
+      load.normal += sums[2].x;
       load.points += static_cast<std::uint32_t>(force.w);
       load.deepest = std::max<double>(load.deepest, torque.w);
     }

@@ -142,7 +142,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   if (loads == gl::LoadPath::texel)
     sums_ = gl::Buffer("contact_sums", std::vector<vec4>(3 * std::size_t{buffers.vertex_count}));
-  loads_ = gl::Buffer("contact_loads", std::vector<vec4>(2 * kLoadLanes * surface_.pieces.size()));
+  loads_ = gl::Buffer("contact_loads", std::vector<vec4>(3 * kLoadLanes * surface_.pieces.size()));
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
   starts_ = BodyStarts(model, buffers, first_vertices);

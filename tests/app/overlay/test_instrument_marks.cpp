@@ -26,7 +26,7 @@ TEST_CASE("an instrument that touches shows its force, and the one in hand its g
 
   std::vector<ToolLoad> loads(3);
   loads[0] = {{0, 15, 0}, {0, 0, 0}, 4, 0};
-  loads[2] = {{3, 4, 0}, {0, 0, 0}, 2, 1e-3};
+  loads[2] = {{3, 4, 0}, {0, 0, 0}, 5, 2, 1e-3};
   const std::vector<InstrumentMark> touching = instrument_marks(simulation, loads, std::nullopt, std::nullopt);
   REQUIRE(touching.size() == 1);
   CHECK(touching[0].force == 5);

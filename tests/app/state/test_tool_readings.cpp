@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 namespace {
 
 std::vector<ToolLoad> load(double newtons, std::uint32_t points) {
-  return {ToolLoad{{newtons, 0, 0}, {0, 2 * newtons, 0}, points, 1e-3 * points}};
+  return {ToolLoad{{newtons, 0, 0}, {0, 2 * newtons, 0}, 3 * newtons, points, 1e-3 * points}};
 }
 
 }  // namespace
@@ -21,6 +21,7 @@ TEST_CASE("readings are averaged over the last five, with points and depth of th
   const ToolLoad mean = readings.mean().front();
   CHECK(mean.force.x() == Approx(5));  // of 3 to 7
   CHECK(mean.torque.y() == Approx(10));
+  CHECK(mean.normal == Approx(15));
   CHECK(mean.points == 7);
   CHECK(mean.deepest == 7e-3);
 

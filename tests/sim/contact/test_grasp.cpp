@@ -23,6 +23,7 @@ TEST_CASE("a grasp holds a cube for three seconds without creep", "[contact]") {
   CAPTURE(lifted.transpose(), creep, loads[0].force.transpose(), loads[1].force.transpose(),
           loads[2].force.transpose());
   CHECK(loads[0].points == 0);
+  CHECK(loads[1].normal == Approx(std::abs(loads[1].force.x())).epsilon(1e-6));  // whose sides are along x
   CHECK(loads[1].force.y() + loads[2].force.y() == Approx(test::Grasp::kWeight).epsilon(1e-4));
   CHECK(lifted.y() > 0.9 * test::Grasp::kLift);
   CHECK(creep < 1e-6);

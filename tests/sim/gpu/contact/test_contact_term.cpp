@@ -38,6 +38,7 @@ TEST_CASE("the ground carries a cube on the GPU", "[gpu][contact]") {
   const ToolLoad& load = d.tool_loads.at(0);
   CAPTURE(load.force.transpose(), load.points, load.deepest, d.residual, d.imbalance({0, -78.48, 0}));
   CHECK(load.force.y() == Approx(78.48).epsilon(1e-5));
+  CHECK(load.normal == Approx(78.48).epsilon(1e-5));
   CHECK(load.points == 25);
   CHECK(load.deepest < 5e-5 * 0.05);
 }

@@ -95,7 +95,7 @@ TEST_CASE("forces over a step are its impulses", "[gpu][contact]") {
 TEST_CASE("the mean of loads has the shares of all stages", "[contact]") {
   StepLoads step;
   const auto tool = [](double force, std::uint32_t points) {
-    return ToolLoad{Vector3d(force, 0, 0), Vector3d(0, force, 0), points, 1e-3 * points};
+    return ToolLoad{Vector3d(force, 0, 0), Vector3d(0, force, 0), 2 * force, points, 1e-3 * points};
   };
   const auto pair = [](std::uint32_t a, std::uint32_t b, double force) {
     return PairLoad{{a, b}, Vector3d(0, 0, force), force, 2, 1e-3};
@@ -107,6 +107,7 @@ TEST_CASE("the mean of loads has the shares of all stages", "[contact]") {
   const ContactLoads mean = step.mean({{tool(8, 5)}, {pair(0, 1, 12)}});
   CHECK(mean.tools[0].force.x() == Approx(5));
   CHECK(mean.tools[0].torque.y() == Approx(5));
+  CHECK(mean.tools[0].normal == Approx(10));
   CHECK(mean.tools[0].points == 5);
   CHECK(mean.tools[0].deepest == Approx(5e-3));
   REQUIRE(mean.pairs.size() == 2);
