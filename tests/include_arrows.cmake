@@ -21,7 +21,7 @@ set(arrows
   "sim/fit/simulated: sim/contact sim/integrators sim/model sim/reference sim/reference/tangent sim/scene"
   "sim/gpu: base gl sim/contact sim/gpu/acceleration sim/gpu/contact sim/gpu/integrators sim/gpu/methods sim/gpu/passes sim/gpu/readback sim/model sim/reference"
   "sim/gpu/acceleration: gl sim/gpu/passes sim/scene/settings"
-  "sim/gpu/contact: base gl sim/coarse sim/contact sim/contact/tissue sim/gpu/passes sim/model sim/tool"
+  "sim/gpu/contact: base gl sim/coarse sim/contact sim/contact/tissue sim/elements sim/gpu/passes sim/model sim/tool"
   "sim/gpu/integrators: gl sim/gpu/passes"
   "sim/gpu/methods: gl sim/coarse sim/gpu/acceleration sim/gpu/passes sim/ordering sim/scene/settings"
   "sim/gpu/passes: base gl gl/timing shaders/shared sim/coarse sim/material sim/mesh sim/model sim/ordering sim/scene/settings"
