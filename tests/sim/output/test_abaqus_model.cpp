@@ -75,11 +75,11 @@ TEST_CASE("CalculiX bends an exported bar by its weight as the reference solver 
   const Model model = bar(ten_nodes);
   State state = initial_state(model);
   const TemporaryFolder folder;
-  {  // the weight as nodal loads, since CalculiX would not lump the mass of quadratic tets
+  {
     std::ofstream out(folder / "bar.inp");
     out << std::setprecision(12) << abaqus_model_text(model, state.displacement) << "*NSET, NSET=Nall, GENERATE\n1, "
         << model.rest_positions.size() << "\n*STEP, NLGEOM\n*STATIC\n*CLOAD\n";
-    const std::vector<double> mass = lumped_masses(model);
+    const std::vector<double> mass = consistent_masses(model);
     for (std::size_t v = 0; v < mass.size(); ++v) out << v + 1 << ", 2, " << mass[v] * model.gravity.y() << '\n';
     out << "*NODE PRINT, NSET=Nall\nU\n*END STEP\n";
   }
