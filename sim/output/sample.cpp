@@ -97,8 +97,8 @@ Diagnostics diagnostics_by_reference(const Simulation& simulation) {
   d.angular_momentum = m.angular_momentum;
   d.reaction = m.fixed_reaction;
   for (const GrabForce& grab : forces_of_grabs(simulation.springs(), state.displacement)) d.grab_force += grab.force;
-  d.tool_loads = simulation.newton_tool_loads();
-  d.pair_loads = simulation.newton_pair_loads();
+  const ContactLoads loads{simulation.newton_tool_loads(), simulation.newton_pair_loads()};
+  d.set_loads(loads, loads);
   d.residual = simulation.newton_report().relative_residual;
   d.iterations = simulation.newton_report().iterations;
   return d;

@@ -40,8 +40,10 @@ struct Diagnostics {
   std::vector<ToolLoad> tool_loads;      // of each tool of the model, over the step (sim/contact/step_loads.h)
   std::vector<PairLoad> pair_loads;      // of tissue that touches tissue, the same
   Eigen::Vector3d tool_force{0, 0, 0};   // of all tools on the body at the end of the step, as the other sums [N]
-  void set_loads(ContactLoads of_step, const ContactLoads& at_end);
   bool finite = true;
+
+  /// tool_loads and pair_loads, and tool_force from those at the end of the step.
+  void set_loads(ContactLoads of_step, const ContactLoads& at_end);
 };
 
 class DiagnosticsReader {

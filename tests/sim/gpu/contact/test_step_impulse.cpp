@@ -66,7 +66,6 @@ TEST_CASE("forces over a step are its impulses", "[gpu][contact]") {
   GpuSolver solver(gpu.programs, model, settings);
   reference::NewtonSolver newton(model, settings);
   State exact = initial_state(model);
-  exact.velocity.assign(exact.velocity.size(), Vector3d(0, 0, 0));
   const auto impulse = [&](const std::vector<ToolLoad>& tools, const std::vector<PairLoad>& pairs) -> Vector3d {
     return step * (on_tissue ? load_between(pairs, {0, 1}).force : tools[0].force);
   };
