@@ -22,6 +22,7 @@
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
 #include "sim/simulation/divergence.h"
+#include "sim/simulation/mesh_error_in_motion.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/solver_error.h"
 #include "sim/simulation/time_error.h"
@@ -109,7 +110,7 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     errors.solver_steps = worst.compared();
     errors.solver = errors.solver_step;
     errors.peak_stress.solver = error.peak_stress.solver;
-    if (const SolverError passed_on = estimate_solver_error(simulation, simulation.programs()); passed_on.complete) {
+    if (const RunError passed_on = estimate_solver_error(simulation, simulation.programs()); passed_on.complete) {
       errors.solver_over_run = passed_on.over_run;
       errors.solver = std::max(*errors.solver, passed_on.relative);
       errors.peak_stress.solver = std::max(*errors.peak_stress.solver, passed_on.peak_stress);
@@ -126,8 +127,16 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
     if (error.complete) errors.time = error;
   }
   const MeshError mesh = estimate_mesh_error(simulation.model, last);
-  errors.mesh = mesh.displacement;
+  errors.mesh_state = errors.mesh = mesh.displacement;
   errors.peak_stress.mesh = mesh.peak_stress;
+  if (!options.static_equilibrium) {
+    const RunError passed_on = estimate_mesh_error_in_motion(simulation, simulation.programs());
+    if (passed_on.complete) {
+      errors.mesh_over_run = passed_on.over_run;
+      errors.mesh = std::max(errors.mesh, passed_on.relative);
+      errors.peak_stress.mesh = std::max(errors.peak_stress.mesh, passed_on.peak_stress);
+    }
+  }
   errors.peak_recovered = peak.p99;
   errors.peak_of_tets = mesh.peak_of_tets;
   const auto causes = [&](const std::optional<double>& solver, const std::optional<double>& time, double of_mesh) {
@@ -148,6 +157,9 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
         (errors.time->resolved ? ", falling with the length of steps to the power " + number(errors.time->order)
                                : "; the motion is not resolved in time: errors hardly fall with eight times the "
                                  "substeps, and those in time are rough bounds"));
+  if (errors.mesh_over_run)
+    say("of the mesh over the whole run: " + percent(*errors.mesh_over_run) +
+        ", against the same run on finer tets; of its last state alone: " + percent(errors.mesh_state));
   say("von Mises stress that 1 % of the volume exceeds: " + number(errors.peak_recovered) + " Pa recovered, " +
       number(mesh.peak_of_tets) + " Pa in the tets");
   stats.errors = errors;

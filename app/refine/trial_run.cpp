@@ -12,6 +12,7 @@
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
 #include "sim/simulation/divergence.h"
+#include "sim/simulation/mesh_error_in_motion.h"
 #include "sim/simulation/simulation.h"
 #include "sim/simulation/time_error.h"
 
@@ -21,7 +22,8 @@ namespace {
 // Iterations whose steps count as exact, in those of the trial: they reach float32.
 constexpr int kSolved = 3;
 
-/// A run of `steps` steps: the state with the most elastic energy, whose mesh error is the one that counts.
+/// A run of `steps` steps: the state with the most elastic energy, whose mesh error counts where that of the run is not
+/// known.
 struct Run {
   Simulation simulation;
   std::vector<double> ms;
@@ -73,7 +75,8 @@ Trial trial_of(const Scene& scene, const Model& model, gl::ProgramCache& program
   trial.time = in_time.over_run;  // at single moments errors of vibrations pass through zero
   trial.order = in_time.order;
   trial.resolved = in_time.resolved;
-  trial.mesh = estimate_mesh_error(model, run.strained).displacement;
+  const RunError of_mesh = estimate_mesh_error_in_motion(run.simulation, &programs);
+  trial.mesh = of_mesh.complete ? of_mesh.over_run : estimate_mesh_error(model, run.strained).displacement;
   return trial;
 }
 

@@ -8,17 +8,12 @@
 // Where all of these steps damp a vibration away, they agree on a motion without it. A witness, the same motion by an
 // integrator that hardly damps, is then far from u*.
 #pragma once
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
-namespace fascia {
+#include "sim/accuracy/trajectory.h"
 
-/// A motion as displacements at the same moments whatever its steps, the last one its end: [moment][vertex] [m].
-struct Trajectory {
-  std::vector<std::vector<Eigen::Vector3d>> displacement;
-  double peak_stress = 0;  // PeakStress::p99 at the end [Pa]
-};
+namespace fascia {
 
 /// Relative errors.
 struct TimeError {

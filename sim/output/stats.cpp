@@ -87,6 +87,8 @@ Json to_json(const Errors& errors) {
     json["time_resolved"] = errors.time->resolved;
   }
   json["mesh"] = errors.mesh;
+  json["mesh_state"] = errors.mesh_state;
+  if (errors.mesh_over_run) json["mesh_over_run"] = *errors.mesh_over_run;
   Json& peak = json["peak_stress"] = Json::object();
   if (errors.peak_stress.solver) peak["solver"] = *errors.peak_stress.solver;
   if (errors.time) peak["time"] = errors.time->peak_stress;

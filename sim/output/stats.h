@@ -16,13 +16,15 @@ namespace fascia {
 
 /// What the last state is off by, told apart by cause: relative errors, of the displacements and of the peak stress.
 struct Errors {
-  std::optional<double> solver;           // the larger one of solver_step and SolverError::relative
+  std::optional<double> solver;           // the larger one of solver_step and RunError::relative
   double solver_step = 0;                 // WorstStep::of_displacement()
   double solver_time = 0;                 // [s] WorstStep::time()
   int solver_steps = 0;                   // WorstStep::compared()
-  std::optional<double> solver_over_run;  // SolverError::over_run
+  std::optional<double> solver_over_run;  // RunError::over_run
   std::optional<TimeError> time;
-  double mesh = 0;  // MeshError
+  double mesh = 0;                      // the larger one of mesh_state and that of the run at its end
+  double mesh_state = 0;                // MeshError
+  std::optional<double> mesh_over_run;  // estimate_mesh_error_in_motion()
   PeakErrors peak_stress;
   double peak_recovered = 0, peak_of_tets = 0;  // [Pa] von Mises stress that 1 % of the volume exceeds
 };

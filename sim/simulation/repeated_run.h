@@ -1,4 +1,4 @@
-// A run once more from its start, with other solver settings: what an error is measured against.
+// A run once more from its start, with other solver settings or other tets: what an error is measured against.
 #pragma once
 #include <functional>
 #include <optional>
@@ -17,5 +17,9 @@ std::optional<Trajectory> repeat_run(const Simulation& done, const ChangedSettin
                                      const std::stop_token& stop);
 /// With its own settings, to its own end: the budget of a frame may have granted it other iterations.
 std::optional<Trajectory> repeat_run(const Simulation& done, gl::ProgramCache* programs, const std::stop_token& stop);
+/// Of a scene, on tets with more freedom (sim/accuracy/refined_bodies.h), on which its grabs take hold anew: the motion
+/// of its own vertices. Precondition: no replay.
+std::optional<Trajectory> repeat_on_refined_tets(const Simulation& done, const ChangedSettings& change,
+                                                 gl::ProgramCache* programs, const std::stop_token& stop);
 
 }  // namespace fascia

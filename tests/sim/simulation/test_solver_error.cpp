@@ -82,7 +82,7 @@ TEST_CASE("the estimated error of the solver is 0.7 to 1.5 of the error against 
   }
   const double error = relative_distance(run->state().displacement, exact->state().displacement),
                over_run = std::sqrt(squares / whole);
-  const SolverError estimate = estimate_solver_error(*run, &gpu.programs);
+  const RunError estimate = estimate_solver_error(*run, &gpu.programs);
   CAPTURE(c.elements, name_of(c.integrator), name_of(c.method), c.iterations, error, estimate.relative / error,
           over_run, estimate.over_run / over_run, worst.of_displacement());
   CHECK(estimate.complete);

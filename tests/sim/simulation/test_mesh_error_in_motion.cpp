@@ -1,0 +1,117 @@
+#include "sim/simulation/mesh_error_in_motion.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "sim/accuracy/mesh_error.h"
+#include "sim/grab/build_model.h"
+#include "sim/mesh/mesh_generate.h"
+#include "tests/support/gpu/gpu_fixture.h"
+
+using namespace fascia;
+using namespace fascia::test;
+
+namespace {
+
+constexpr int kStepsOfMotion = 30;
+const Eigen::Vector3d kBar(0.3, 0.1, 0.1);
+
+// A bar of 0.3 m, at least as stiff as gravity needs to bend it by a fifth of its length.
+nlohmann::json scene_of_bar(const std::string& elements) {
+  nlohmann::json scene{{"fascia_scene", 1}};
+  nlohmann::json& body = scene["bodies"][0];
+  body = {{"mesh", "bar"}, {"elements", elements}};
+  body["materials"]["default"] = {
+      {"young_modulus", 5e5}, {"poisson_ratio", 0.4}, {"density", 1000}, {"damping", 0.002}};
+  body["fixed"] = {{{"box", {{-1, -1, -1}, {0.001, 1, 1}}}}};
+  scene["solver"] = {{"integrator", "bdf2"}, {"substeps", 2}, {"iterations", 15}, {"rest_speed", 0}};
+  return scene;
+}
+
+std::unique_ptr<Simulation> bar_of(Gpu& gpu, const nlohmann::json& document, int cells) {
+  const Scene scene = read_scene_content("bar", document.dump());
+  return std::make_unique<Simulation>(scene, build_model(scene, {make_box(3 * cells, cells, cells, kBar)}),
+                                      &gpu.programs, false);
+}
+
+// At these places, which are vertices of the mesh.
+Trajectory motion_of(Gpu& gpu, const nlohmann::json& document, int cells, const std::vector<Eigen::Vector3d>& places) {
+  const auto run = bar_of(gpu, document, cells);
+  std::vector<std::size_t> vertices;
+  for (const Eigen::Vector3d& x : places)
+    for (std::size_t v = 0; v < run->model.rest_positions.size(); ++v)
+      if ((run->model.rest_positions[v] - x).norm() < 1e-9) vertices.push_back(v);
+  REQUIRE(vertices.size() == places.size());
+  Trajectory motion;
+  for (int step = 1; step <= kStepsOfMotion; ++step) {
+    run->step();
+    if (step % (kStepsOfMotion / 10) != 0) continue;
+    const State state = run->state();
+    motion.displacement.emplace_back();
+    for (const std::size_t v : vertices) motion.displacement.back().push_back(state.displacement[v]);
+  }
+  return motion;
+}
+
+}  // namespace
+
+TEST_CASE("the mesh's estimated error over a run is near the error against a finer mesh") {
+  struct Case {
+    std::string what, elements;
+    int cells, finer;
+    double least, most;
+  };
+  // An impact on finer tets happens at other moments.
+  const Case c = GENERATE(
+      Case{"falls from level", "linear", 2, 2, 0.7, 1.5}, Case{"falls from level", "quadratic", 1, 4, 0.7, 1.5},
+      Case{"thrown sideways", "quadratic", 1, 4, 0.7, 1.5}, Case{"under a hand", "linear", 2, 2, 0.7, 1.5},
+      Case{"pressed by a ball", "quadratic", 1, 4, 0.7, 1.5}, Case{"lands on its end", "linear", 2, 2, 0.5, 2});
+  nlohmann::json document = scene_of_bar(c.elements), truth = document;
+  const auto with = [&](const std::string& key, const nlohmann::json& value) {
+    document[nlohmann::json::json_pointer(key)] = value;
+  };
+  if (c.what == "thrown sideways") {
+    with("/gravity", {0, 0, 0});
+    with("/bodies/0/initial_velocity", {0, 0.5, 1});
+  } else if (c.what == "under a hand") {
+    with("/grabs", {{{"select", {{"box", {{0.29, -1, -1}, {1, 1, 1}}}}},
+                     {"translate", {0, 0.05, 0}},
+                     {"duration", 0.2},
+                     {"stiffness", 200}}});
+  } else if (c.what == "pressed by a ball") {
+    with("/instruments",
+         {{{"name", "ball"},
+           {"shape", {{"sphere", {{"radius", 0.05}}}}},
+           {"path",
+            {{{"time", 0}, {"position", {0.27, 0.16, 0.05}}}, {{"time", 0.4}, {"position", {0.27, 0.11, 0.05}}}}}}});
+  } else if (c.what == "lands on its end") {
+    document["bodies"][0].erase("fixed");
+    with("/bodies/0/transform/rotate_deg", {0, 0, 90});
+    with("/bodies/0/transform/translate", {0, 0.02, 0});
+    with("/ground", {{"height", 0}});
+  }
+  Gpu gpu;
+  const auto run = bar_of(gpu, document, c.cells);
+  for (int step = 0; step < kStepsOfMotion; ++step) run->step();
+  truth = document;
+  truth["bodies"][0]["elements"] = "quadratic";
+  const std::vector<Eigen::Vector3d>& places = run->model.rest_positions;
+  const double error =
+      error_of(motion_of(gpu, document, c.cells, places), motion_of(gpu, truth, c.finer * c.cells, places)).over_run;
+  const RunError estimate = estimate_mesh_error_in_motion(*run, &gpu.programs);
+  CAPTURE(c.what, c.elements, error, estimate.over_run / error, estimate.relative,
+          estimate_mesh_error(run->model, run->state()).displacement);
+  CHECK(estimate.complete);
+  CHECK(estimate.over_run > c.least * error);
+  CHECK(estimate.over_run < c.most * error);
+}
+
+TEST_CASE("a mesh has no error over a run without steps, and none is told of a repetition that was stopped") {
+  Gpu gpu;
+  const auto still = bar_of(gpu, scene_of_bar("linear"), 1);
+  CHECK(estimate_mesh_error_in_motion(*still, &gpu.programs).over_run == 0);
+  still->step();
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_FALSE(estimate_mesh_error_in_motion(*still, &gpu.programs, stop.get_token()).complete);
+}
