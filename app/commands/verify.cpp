@@ -31,6 +31,7 @@ constexpr Test kTests[] = {{"patches", verify_patches},
                            {"orders_time", verify_orders_in_time},
                            {"estimates", verify_estimates},
                            {"estimates_time", verify_estimates_in_time},
+                           {"estimates_motion", verify_estimates_in_motion},
                            {"stresses", verify_stresses},
                            {"gpu", verify_gpu}};
 

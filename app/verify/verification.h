@@ -63,6 +63,7 @@ void verify_orders_in_space(Verification& verification);
 void verify_orders_in_time(Verification& verification);
 void verify_estimates(Verification& verification);
 void verify_estimates_in_time(Verification& verification);
+void verify_estimates_in_motion(Verification& verification);
 void verify_stresses(Verification& verification);
 void verify_gpu(Verification& verification);
 
