@@ -1,7 +1,9 @@
 #include "base/json/json_document.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,14 +43,40 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   bool parse_error(std::size_t position, const std::string&, const json::exception& error) override {
     // `position` counts the bytes read so far: the wrong one is the last of them.
-    const std::string_view before = text_.substr(0, std::min(position > 0 ? position - 1 : 0, text_.size()));
+    const std::size_t wrong = std::min(position > 0 ? position - 1 : 0, text_.size());
+    const std::string why = reason(error.what());
+    const bool in_value = why.find("invalid literal") != why.npos || why.find("invalid number") != why.npos;
+    const auto word = in_value ? not_finite_at(wrong) : std::nullopt;
+    const std::string_view before = text_.substr(0, word ? word->begin : wrong);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t newline = before.rfind('\n');  // npos + 1 is 0
     const std::size_t column = before.size() - (newline + 1) + 1;
-    throw Error(where_ + ":" + std::to_string(line) + ":" + std::to_string(column), reason(error.what()), "");
+    const std::string place = where_ + ":" + std::to_string(line) + ":" + std::to_string(column);
+    if (word) throw Error(place, "is " + word->text + ", which JSON does not have", "expected a finite number");
+    throw Error(place, why, "");
   }
 
  private:
+  struct Word {
+    std::size_t begin;
+    std::string text;
+  };
+  /// The word around a byte if it is one by which programs write numbers that are not finite.
+  std::optional<Word> not_finite_at(std::size_t byte) const {
+    const auto is_of_word = [&](std::size_t at) {
+      const auto c = static_cast<unsigned char>(text_[at]);
+      return std::isalpha(c) || c == '-' || c == '+';
+    };
+    std::size_t begin = byte, end = byte;
+    while (begin > 0 && is_of_word(begin - 1)) --begin;
+    while (end < text_.size() && is_of_word(end)) ++end;
+    std::string name;
+    for (const unsigned char c : text_.substr(begin, end - begin))
+      if (std::isalpha(c)) name += static_cast<char>(std::tolower(c));
+    if (name != "nan" && name != "inf" && name != "infinity") return std::nullopt;
+    return Word{begin, std::string(text_.substr(begin, end - begin))};
+  }
+
   /// The parser's message without its code, without the position (which precedes ours) and without a long quotation of
   /// the text.
   static std::string reason(std::string text) {

@@ -51,6 +51,17 @@ TEST_CASE("a syntax error has the line and the column of the byte that is wrong"
   CHECK(error_of("\"" + std::string(10000, 'x')).size() < 300);
 }
 
+TEST_CASE("numbers that are not finite are no part of JSON") {
+  CHECK(error_of("{\"a\": 1,\n \"b\": NaN}") ==
+        "f.json:2:7: is NaN, which JSON does not have; expected a finite number");
+  for (const std::string word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf", "+INF"})
+    CHECK(error_of("[0, " + word + "]") ==
+          "f.json:1:5: is " + word + ", which JSON does not have; expected a finite number");
+  for (const char* text : {"[infinite]", "[naan]", "[-]", "[x-inf]", "\"NaN", "\"a nan"})
+    CHECK_THAT(error_of(text), !Catch::Contains("finite number"));
+  CHECK(error_of("\"NaN\"").empty());
+}
+
 TEST_CASE("a source with control characters is named on one line") {
   CHECK_THROWS_WITH(parse_json("[", "--grab a\x1b"), Catch::StartsWith("\"--grab a\\u001b\":1:2: "));
 }
