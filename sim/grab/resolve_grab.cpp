@@ -139,19 +139,22 @@ Place place_of(const ScriptedGrab& grab, const Selection& selection, const Scene
   const BodyPart& body = model.bodies[b];
   // Selections refer to the positions in the file, before the transform.
   TetMesh mesh;
+  std::vector<MidEdges> mid_edges;
   const Eigen::Affine3d back = placement(scene.bodies[b]).inverse();
   for (std::uint32_t v = 0; v < body.vertex_count; ++v)
     mesh.positions.push_back(back * model.rest_positions[body.vertex_begin + v]);
   for (std::uint32_t t = body.tet_begin; t < body.tet_begin + body.tet_count; ++t) {
     Tet& tet = mesh.tets.emplace_back(model.tets[t]);
     for (std::uint32_t& v : tet) v -= body.vertex_begin;
+    if (!model.is_quadratic(t)) continue;
+    for (std::uint32_t& v : mid_edges.emplace_back(model.mid_edges[t])) v -= body.vertex_begin;
   }
   for (const auto& [name, vertices] : model.file_mesh.groups)
     for (const std::uint32_t v : vertices)
       if (v >= body.vertex_begin && v < body.vertex_begin + body.vertex_count)
         mesh.groups[name].push_back(v - body.vertex_begin);
   std::vector<std::uint32_t> vertices =
-      select_vertices(selection, {mesh, mesh.tets, scene.bodies[b].up}, where + ".select");
+      select_vertices(selection, {mesh, mesh.tets, scene.bodies[b].up, mid_edges}, where + ".select");
   for (std::uint32_t& v : vertices) v += body.vertex_begin;
   Place place;
   place.patch = even_patch(model, vertices);

@@ -150,7 +150,7 @@ void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
 /// Appends the body's motions and fixed vertices in the model's numbering; [vertex_count] 1 where constrained.
 std::vector<char> add_constraints(const LoadedBody& loaded, std::uint32_t vertex_begin, Model& model) {
   const TetMesh& mesh = loaded.file.mesh;
-  const SelectableMesh selectable{mesh, loaded.repaired.tets, loaded.body.up};
+  const SelectableMesh selectable{mesh, loaded.repaired.tets, loaded.body.up, loaded.file.mid_edges};
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> motion_of(mesh.positions.size(), kNone);
   for (std::size_t m = 0; m < loaded.body.prescribed.size(); ++m) {

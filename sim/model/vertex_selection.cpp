@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "base/error.h"
 #include "base/suggest.h"
@@ -83,7 +84,7 @@ struct Selector {
 };
 
 /// "613 vertices, from (0, -0.05, -0.05) to (0.4, 0.05, 0.05)".
-std::string extent_of(const TetMesh& mesh, const std::vector<char>& used) {
+std::string extent_of(const TetMesh& mesh, const std::vector<char>& used, const char* noun) {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
   std::size_t count = 0;
   for (std::size_t v = 0; v < used.size(); ++v) {
@@ -93,7 +94,7 @@ std::string extent_of(const TetMesh& mesh, const std::vector<char>& used) {
     high = high.cwiseMax(mesh.positions[v]);
   }
   char text[200];
-  std::snprintf(text, sizeof text, "%zu vertices, from (%g, %g, %g) to (%g, %g, %g)", count, low.x(), low.y(), low.z(),
+  std::snprintf(text, sizeof text, "%zu %s, from (%g, %g, %g) to (%g, %g, %g)", count, noun, low.x(), low.y(), low.z(),
                 high.x(), high.y(), high.z());
   return text;
 }
@@ -112,13 +113,17 @@ std::vector<std::uint32_t> select_vertices(const Selection& selection, const Sel
                                            const std::string& where) {
   const std::vector<char> used = used_vertices(body.tets, body.mesh.positions.size());
   std::vector<std::uint32_t> vertices = std::visit(Selector{body.mesh, body.tets, body.up, used, where}, selection);
-  if (std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return used[v]; })) {
-    const std::string found = vertices.empty()
-                                  ? "selects nothing"
-                                  : "selects no vertex of a tet (" + std::to_string(vertices.size()) + " unused)";
-    throw Error(where, found, "expected some of the " + extent_of(body.mesh, used));
-  }
-  return vertices;
+  if (std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return used[v]; })) return vertices;
+  std::set<std::uint32_t> middles;
+  for (const MidEdges& of_tet : body.mid_edges) middles.insert(of_tet.begin(), of_tet.end());
+  const auto of_edges = std::count_if(vertices.begin(), vertices.end(), [&](auto v) { return middles.contains(v); });
+  std::string found = "selects nothing";
+  if (of_edges > 0)
+    found = "selects no corner of a tet, only vertices in the middles of edges (" + std::to_string(of_edges) + ")";
+  else if (!vertices.empty())
+    found = "selects no vertex of a tet (" + std::to_string(vertices.size()) + " unused)";
+  throw Error(where, found,
+              "expected some of the " + extent_of(body.mesh, used, of_edges > 0 ? "corners" : "vertices"));
 }
 
 }  // namespace fascia

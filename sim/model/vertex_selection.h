@@ -1,6 +1,7 @@
 // Resolves a scene's selection to the vertices of a mesh.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ std::vector<char> used_vertices(const std::vector<Tet>& tets, std::size_t vertex
 struct SelectableMesh {
   const TetMesh& mesh;
   const std::vector<Tet>& tets;
-  UpAxis up = UpAxis::y;  // Body::up
+  UpAxis up = UpAxis::y;                     // Body::up
+  std::span<const MidEdges> mid_edges = {};  // of the file's quadratic tets, for errors
 };
 
 /// Ascending and unique. Positions are those of the file, before the body's placement. Throws Error for a vertex or

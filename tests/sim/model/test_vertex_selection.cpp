@@ -76,6 +76,28 @@ TEST_CASE("indices are sorted, each once, and must exist") {
   CHECK_THAT(s.error_of(VertexSelection{}), Catch::Contains("selects nothing"));
 }
 
+TEST_CASE("middles of edges alone are no selection") {
+  Sample s;
+  MidEdges middles = kNoMidEdges;
+  middles[0] = s.last();
+  const auto error_of = [&](const Selection& selection) {
+    try {
+      select_vertices(selection, {s.mesh, s.mesh.tets, s.up, {&middles, 1}}, "s.json: fixed");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(error_of(VertexSelection{{s.last()}}) ==
+        "s.json: fixed: selects no corner of a tet, only vertices in the middles of edges (1); expected some of the 30 "
+        "corners, from (0, 0, 0) to (2, 4, 1)");
+  CHECK(error_of(VertexSelection{{0, s.last()}}).empty());
+  s.mesh.positions.push_back({0, -100, 0});  // in no tet
+  CHECK_THAT(error_of(SphereSelection{{0, -100, 0}, 1}),
+             Catch::Contains("selects no corner of a tet, only vertices in the middles of edges (1); expected"));
+  CHECK_THAT(error_of(VertexSelection{{s.last()}}), Catch::Contains("selects no vertex of a tet (1 unused)"));
+}
+
 TEST_CASE("a group is that of its name") {
   Sample s;
   CHECK(s.select(GroupSelection{"top"}) == s.mesh.groups["top"]);
