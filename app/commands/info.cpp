@@ -20,6 +20,7 @@
 #include "sim/material/tissues.h"
 #include "sim/mesh/io/mesh_io.h"
 #include "sim/mesh/mesh_check.h"
+#include "sim/mesh/vertex_check.h"
 #include "sim/model/file_reader.h"
 #include "sim/model/model.h"
 #include "sim/ordering/graph_coloring.h"
@@ -131,6 +132,7 @@ int inspect(const InfoOptions& options) {
     const std::string unit = unit_of(scene, body, shape);
     MeshFile file = shape.surface ? filled_mesh(std::move(*shape.surface), found.place.string(), body, unit, progress)
                                   : std::move(shape.tets);
+    require_range(file.mesh.positions, found.place.string());
     const MeshRepair repaired = repair(file.mesh);
     MeshReport report = examine(file.mesh, repaired);
     if (body.elements == ElementOrder::quadratic)

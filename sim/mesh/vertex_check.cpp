@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
+
+#include "base/error.h"
+#include "base/text.h"
 
 namespace fascia {
 namespace {
@@ -20,6 +24,17 @@ std::vector<char> vertices_of(const std::vector<Tet>& tets, std::size_t vertex_c
 }  // namespace
 
 using Eigen::Vector3d;
+
+void require_range(const std::vector<Vector3d>& positions, const std::string& where) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  const auto beyond = std::find_if(positions.begin(), positions.end(),
+                                   [](const Vector3d& x) { return !(x.cwiseAbs().maxCoeff() <= kMost); });
+  if (beyond == positions.end()) return;
+  throw Error(where,
+              "vertex " + std::to_string(beyond - positions.begin()) + " is at " + point(*beyond) +
+                  ", beyond the range of float32",
+              "expected coordinates of up to " + number(kMost));
+}
 
 std::vector<std::uint32_t> first_at_place(const std::vector<Vector3d>& positions) {
   std::vector<std::uint32_t> order(positions.size()), first(positions.size());

@@ -3,11 +3,15 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
 
 namespace fascia {
+
+/// Throws Error, which begins with `where`, if float32 cannot hold a coordinate.
+void require_range(const std::vector<Eigen::Vector3d>& positions, const std::string& where);
 
 /// [vertex_count] the first vertex at exactly the same position.
 std::vector<std::uint32_t> first_at_place(const std::vector<Eigen::Vector3d>& positions);

@@ -49,6 +49,7 @@ LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) 
 
 /// `mesh_name`: the name of the mesh in errors.
 void repair_body(LoadedBody& loaded, const std::string& mesh_name) {
+  require_range(loaded.file.mesh.positions, mesh_name);
   loaded.repaired = repair(loaded.file.mesh);
   if (loaded.repaired.tets.empty()) {
     throw Error(mesh_name,

@@ -123,7 +123,7 @@ void read_positions(const std::filesystem::path& path, std::string_view content,
     if (mesh.positions.back().allFinite()) continue;
     std::size_t number = i / 3 + 1;
     fail_at(path, line_of(content, "v", [&](std::string_view) { return --number == 0; }),
-            "vertex " + std::to_string(i / 3 + 1) + " is not finite", "expected finite coordinates");
+            "vertex " + std::to_string(i / 3 + 1) + " is not finite in float32", "expected finite coordinates");
   }
 }
 

@@ -21,6 +21,13 @@ TEST_CASE("the first vertex at exactly a place stands for the others there") {
                          {{0, 1, 2, 3}, {4, 1, 2, 3}}) == 1);  // vertex 5 is in no tet
 }
 
+TEST_CASE("coordinates beyond float32 are refused") {
+  require_range({{0, 0, 0}, {-3e38, 1, 0}}, "m.msh");
+  CHECK_THROWS_WITH(require_range({{0, 0, 0}, {0, -1e300, 0}, {0, 1e300, 0}}, "m.msh"),
+                    "m.msh: vertex 1 is at (0, -1e+300, 0), beyond the range of float32; expected coordinates of up to "
+                    "3.403e+38");
+}
+
 TEST_CASE("halves that touch without shared vertices are counted, and welded on demand") {
   const TetMesh whole = make_box(2, 1, 1, {2, 1, 1});
   TetMesh mesh = whole;
