@@ -16,10 +16,6 @@ void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets, const 
   mesh.mid_edges.assign(mesh.tets.size(), kNoMidEdges);
   std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;
   vertex_of.reserve(2 * mesh.tets.size());
-  std::vector<char> taken(given.empty() ? 0 : mesh.positions.size(), 0);
-  for (const std::uint32_t t : tets)
-    if (!given.empty())
-      for (const std::uint32_t v : mesh.tets[t]) taken[v] = 1;
   const auto for_edges = [&](auto&& use) {
     for (const std::uint32_t t : tets)
       for (std::size_t m = 0; m < kMidEdgeCorners.size(); ++m)
@@ -28,7 +24,7 @@ void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets, const 
   if (!given.empty())
     for_edges([&](std::uint32_t t, std::size_t m, std::uint32_t a, std::uint32_t b) {
       const std::uint32_t vertex = t < given.size() ? given[t][m] : kNoVertex;
-      if (vertex != kNoVertex && !taken[vertex]) taken[vertex] = vertex_of.try_emplace(key_of(a, b), vertex).second;
+      if (vertex != kNoVertex) vertex_of.try_emplace(key_of(a, b), vertex);
     });
   for_edges([&](std::uint32_t t, std::size_t m, std::uint32_t a, std::uint32_t b) {
     const auto next = static_cast<std::uint32_t>(mesh.positions.size());

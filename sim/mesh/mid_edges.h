@@ -15,8 +15,8 @@ struct MidEdge {
 
 /// Makes the given tets of a mesh quadratic, and no others. Those that have mid-edge vertices in `given` ([tet_count]
 /// or less) keep them; a vertex is appended, in the order of the tets, to every other edge. Tets that share an edge
-/// share its vertex, the first one if they are given different ones. A given vertex that is also a corner or that of
-/// another edge is left out.
+/// share its vertex, the first one if they are given different ones. A given vertex is that of one edge, and no corner
+/// (require_own_middles).
 void add_mid_edges(TetMesh& mesh, const std::vector<std::uint32_t>& tets, const std::vector<MidEdges>& given = {});
 
 /// Moves mid-edge vertices to the middles of their edges. The number of those that were off by more than 1e-6 of the

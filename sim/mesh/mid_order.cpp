@@ -85,7 +85,47 @@ Order order_of_all(const TetMesh& mesh, const std::vector<std::uint32_t>& tets, 
   return all_near ? kAsGiven : best_order(costs);
 }
 
+constexpr const char* kExpected =
+    "expected quadratic tets with six vertices at the middles of their edges, or elements=linear, which uses the "
+    "corners alone";
+
+std::string use_of(const TetMesh& mesh, std::uint32_t tet, std::uint32_t vertex, std::size_t m) {
+  return "tet " + std::to_string(tet) + " has vertex " + std::to_string(vertex) + " at " +
+         point(mesh.positions[vertex]) + " for the middle of the edge at " +
+         point(QuadraticTet::middle_of(mesh.positions, mesh.tets[tet], m));
+}
+
 }  // namespace
+
+void require_own_middles(const TetMesh& mesh, const std::vector<std::uint32_t>& tets,
+                         const std::vector<MidEdges>& given, const std::string& where) {
+  struct Use {
+    std::uint32_t tet = kNoVertex;
+    std::size_t m = 0;
+  };
+  std::vector<Use> uses(mesh.positions.size());
+  std::vector<char> is_corner(mesh.positions.size(), 0);
+  for (const std::uint32_t t : tets)
+    for (const std::uint32_t v : mesh.tets[t]) is_corner[v] = 1;
+  const auto edge = [&](const Use& use) {
+    const Tet& tet = mesh.tets[use.tet];
+    return std::minmax(tet[kMidEdgeCorners[use.m][0]], tet[kMidEdgeCorners[use.m][1]]);
+  };
+  for (const std::uint32_t t : tets) {
+    if (t >= given.size()) continue;
+    for (std::size_t m = 0; m < kMidEdgeCorners.size(); ++m) {
+      const std::uint32_t v = given[t][m];
+      if (v == kNoVertex) continue;
+      if (is_corner[v]) throw Error(where, use_of(mesh, t, v, m) + ", and it is a corner of a tet", kExpected);
+      if (uses[v].tet == kNoVertex) uses[v] = {t, m};
+      if (edge(uses[v]) != edge({t, m}))
+        throw Error(where,
+                    use_of(mesh, t, v, m) + ", and tet " + std::to_string(uses[v].tet) + " for that at " +
+                        point(QuadraticTet::middle_of(mesh.positions, mesh.tets[uses[v].tet], uses[v].m)),
+                    kExpected);
+    }
+  }
+}
 
 std::size_t order_mid_edges(const TetMesh& mesh, const std::vector<std::uint32_t>& tets, std::vector<MidEdges>& given,
                             const std::string& where) {
@@ -107,12 +147,7 @@ std::size_t order_mid_edges(const TetMesh& mesh, const std::vector<std::uint32_t
     const QuadraticTet settled(mesh.positions, mesh.tets[t], given[t]);
     if (settled.is_within(kTooFar, kAsGiven)) continue;
     const std::size_t m = settled.worst(kAsGiven);
-    throw Error(where,
-                "tet " + std::to_string(t) + " has vertex " + std::to_string(given[t][m]) + " at " +
-                    point(mesh.positions[given[t][m]]) + " for the middle of the edge at " +
-                    point(QuadraticTet::middle_of(mesh.positions, mesh.tets[t], m)),
-                "expected quadratic tets with six vertices at the middles of their edges, or elements=linear, which "
-                "uses the corners alone");
+    throw Error(where, use_of(mesh, t, given[t][m], m), kExpected);
   }
   return reordered;
 }

@@ -150,6 +150,7 @@ std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std:
   if (const std::size_t tets = order_mid_edges(file.mesh, usable, file.mid_edges, where); tets > 0)
     file.notes.push_back("middle vertices of " + plural(tets, "quadratic tet") +
                          " are not in the order of the format: put in order by their places");
+  require_own_middles(file.mesh, usable, file.mid_edges, where);
   TetMesh whole = file.mesh;
   add_mid_edges(whole, usable, file.mid_edges);
   if (const std::size_t curved = straighten(whole); curved > 0)

@@ -93,6 +93,28 @@ TEST_CASE("vertices that are no middles of edges are an error that names the tet
     CHECK(file.notes == std::vector<std::string>{"middle vertices of 36 quadratic tets are not in the order of the "
                                                  "format: put in order by their places"});
   }
+  SECTION("one at two edges of a tet") {
+    file.mid_edges[1][4] = file.mid_edges[1][5];
+    CHECK_THROWS_WITH(keep_mid_edges(file, all_tets(mesh), "m.vtu"),
+                      Catch::StartsWith("m.vtu: tet 1 has vertex " + std::to_string(mesh.mid_edges[1][5]) + " at ") &&
+                          Catch::Contains(", and tet 1 for that at (") && Catch::Contains("; expected quadratic tets"));
+  }
+  SECTION("one at edges of two tets") {
+    std::size_t other = 1;  // a tet that does not have the edge
+    const std::uint32_t vertex = file.mid_edges[0][0];
+    while (std::count(mesh.mid_edges[other].begin(), mesh.mid_edges[other].end(), vertex) > 0) ++other;
+    file.mid_edges[other][3] = vertex;
+    CHECK_THROWS_WITH(
+        require_own_middles(mesh, all_tets(mesh), file.mid_edges, "m.vtu"),
+        Catch::StartsWith("m.vtu: tet " + std::to_string(other) + " has vertex " + std::to_string(vertex) + " at ") &&
+            Catch::Contains(", and tet 0 for that at ("));
+  }
+  SECTION("a corner") {
+    file.mid_edges[0][0] = mesh.tets[0][1];
+    CHECK_THROWS_WITH(keep_mid_edges(file, all_tets(mesh), "m.vtu"),
+                      Catch::StartsWith("m.vtu: tet 0 has vertex " + std::to_string(mesh.tets[0][1])) &&
+                          Catch::Contains(", and it is a corner of a tet; expected"));
+  }
   SECTION("as they should be") {
     keep_mid_edges(file, all_tets(mesh), "m.vtu");
     CHECK(file.notes.empty());
