@@ -153,6 +153,13 @@ std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std:
   require_own_middles(file.mesh, usable, file.mid_edges, where);
   TetMesh whole = file.mesh;
   add_mid_edges(whole, usable, file.mid_edges);
+  const auto linear = static_cast<std::size_t>(std::count_if(usable.begin(), usable.end(), [&](std::uint32_t t) {
+    return t >= file.mid_edges.size() || file.mid_edges[t] == kNoMidEdges;
+  }));
+  if (linear > 0)
+    file.notes.push_back(plural(linear, "tet") + " of 4 nodes among " + plural(usable.size(), "tet") + ": " +
+                         plural(whole.positions.size() - file.mesh.positions.size(), "vertex") +
+                         " added in the middles of edges");
   if (const std::size_t curved = straighten(whole); curved > 0)
     file.notes.push_back(plural(curved, "curved edge") + " straightened");
   std::vector<std::uint32_t> kept;

@@ -23,8 +23,8 @@ namespace fascia {
 MeshFile read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Makes the edges of a file's quadratic tets straight, for a body that keeps all of their nodes, and says so in its
-/// notes. The file's vertices in the middles of the edges of `usable` tets. Throws Error, which begins with `where`, if
-/// they are no middles of edges.
+/// notes, as it does of tets without these nodes. The file's vertices in the middles of the edges of `usable` tets.
+/// Throws Error, which begins with `where`, if they are no middles of edges, each of its own.
 std::vector<std::uint32_t> keep_mid_edges(MeshFile& file, const std::vector<std::uint32_t>& usable,
                                           const std::string& where);
 

@@ -115,6 +115,14 @@ TEST_CASE("vertices that are no middles of edges are an error that names the tet
                       Catch::StartsWith("m.vtu: tet 0 has vertex " + std::to_string(mesh.tets[0][1])) &&
                           Catch::Contains(", and it is a corner of a tet; expected"));
   }
+  SECTION("of some tets alone") {
+    std::fill(file.mid_edges.begin() + 1, file.mid_edges.end(), kNoMidEdges);
+    file.mesh.positions.resize(24 + 6);
+    keep_mid_edges(file, all_tets(mesh), "m.vtu");
+    CHECK(file.notes == std::vector<std::string>{
+                            "35 tets of 4 nodes among 36 tets: " + std::to_string(mid_edges_of(mesh).size() - 6) +
+                            " vertices added in the middles of edges"});
+  }
   SECTION("as they should be") {
     keep_mid_edges(file, all_tets(mesh), "m.vtu");
     CHECK(file.notes.empty());
