@@ -51,6 +51,17 @@ int judge(const RenderOptions& options, const Outcome& outcome) {
   return comparison.passed() ? exit_done : exit_failed;
 }
 
+// Why the colors of the error are all the same and their bar has no numbers; empty if they are as they should be.
+std::string note_of_error(const RenderOptions& options, const Session& session) {
+  const Simulation& simulation = session.simulation;
+  if (session.display().color != ColorBy::error || (!simulation.uses_reference() && simulation.gpu()->has_step()))
+    return "";
+  return std::string("display.color=error has no colors: it compares the last step with an exact one, and ") +
+         (options.static_equilibrium    ? "--static takes no steps"
+          : simulation.uses_reference() ? "the steps of --reference are exact"
+                                        : "no step was taken");
+}
+
 int render_input(const RenderOptions& options) {
   const bool compares = !options.compare.empty() || !options.state.empty();
   if (options.update && !compares)
@@ -95,6 +106,8 @@ int render_input(const RenderOptions& options) {
       report(progress, static_cast<double>(headless.step()) / static_cast<double>(headless.steps()), "Simulating");
   });
   if (!options.static_equilibrium) require_valid(headless.session().simulation);
+  if (const std::string note = note_of_error(options, headless.session()); !note.empty() && !options.quiet)
+    std::cerr << "fascia: " << note << '\n';
   if (video) {
     video->finish(progress);
     if (!options.quiet) std::cerr << "fascia: " << options.video << ", " << video->frames() << " frames\n";

@@ -160,6 +160,26 @@ TEST_CASE("a range is known once there are values to follow", "[heat_range]") {
   CHECK(session.has_range());
 }
 
+TEST_CASE("render says why the error of the solver has no colors", "[heat_range]") {
+  const TemporaryFolder folder;
+  const auto note_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render", cube_path(), "--context", "osmesa", "--size",
+                                       "96x64",  "--color",   "error",     "--out",  folder / "shot.png"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandResult result = run_fascia(arguments);
+    CAPTURE(result.err);
+    REQUIRE(result.exit_code == 0);
+    const std::size_t at = result.err.find("display.color=error has no colors");
+    return at == std::string::npos ? "" : result.err.substr(at, result.err.find('\n', at) - at);
+  };
+  const std::string begin = "display.color=error has no colors: it compares the last step with an exact one, and ";
+  CHECK(note_of({"--static"}) == begin + "--static takes no steps");
+  CHECK(note_of({"--steps", "0"}) == begin + "no step was taken");
+  CHECK(note_of({"--steps", "1", "--reference"}) == begin + "the steps of --reference are exact");
+  CHECK(note_of({"--steps", "1"}).empty());
+  CHECK(note_of({"--static", "--quiet"}).empty());
+}
+
 TEST_CASE("a final picture is the same after a video", "[heat_range]") {
   const TemporaryFolder folder;
   const std::string scene = (source_dir() / "assets/scenes/cube.json").string();
