@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -135,12 +136,14 @@ std::string note_on(const Model& model, const Overlap& overlap) {
          length(overlap.deepest) + " deep: contact pushes the bodies apart, or holds them in each other";
 }
 
-/// Bodies that begin inside a piece, deeper than a hundredth of their size: less may be the load that is meant.
+/// Bodies that begin inside the tool of a first piece, deeper than a hundredth of their size: less may be the load that
+/// is meant.
 void note_begun_inside(const Model& model, const ContactSurface& surface, const ContactPiece& piece,
                        std::vector<std::string>& notes) {
   constexpr double kShallow = 0.01;
   const Tool& tool = model.tools[piece.tool];
-  const RigidPose pose = tool.pose_of_piece(piece.piece, tool.place(0));
+  std::vector<RigidPose> poses;
+  for (std::size_t k = 0; k < tool.piece_count(); ++k) poses.push_back(tool.pose_of_piece(k, tool.place(0)));
   for (const BodyPart& body : model.bodies) {
     Eigen::AlignedBox3d box;
     std::size_t count = 0, inside = 0;
@@ -150,7 +153,8 @@ void note_begun_inside(const Model& model, const ContactSurface& surface, const 
       const std::uint32_t v = point.vertices[0];
       if (point.weights[0] != 1 || v < body.vertex_begin || v >= body.vertex_begin + body.vertex_count) continue;
       const Vector3d& x = model.rest_positions[v];
-      const double depth = -distance_to(tool.shape, pose.to_local(x)).distance;
+      double depth = -std::numeric_limits<double>::infinity();
+      for (const RigidPose& pose : poses) depth = std::max(depth, -distance_to(tool.shape, pose.to_local(x)).distance);
       box.extend(x);
       ++count;
       inside += depth > 0;
@@ -227,7 +231,8 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
   check_thickness(model, where, notes);
   if (model.contact.bodies)
     for (const Overlap& overlap : overlaps_at_rest(model)) notes.push_back(note_on(model, overlap));
-  for (const ContactPiece& piece : surface.pieces) note_begun_inside(model, surface, piece, notes);
+  for (const ContactPiece& piece : surface.pieces)
+    if (piece.piece == 0) note_begun_inside(model, surface, piece, notes);
   for (const ContactPiece& piece : surface.pieces)
     if (piece.piece == 0 && begins_inside(model, surface, piece))
       notes.push_back(model.tools[piece.tool].name +

@@ -88,17 +88,34 @@ TEST_CASE("a tool that begins wholly inside tissue is told", "[contact]") {
   CHECK(notes_at({0.1, 0.05, 0.1}, rod).empty());  // its middle is inside, its end sticks out
 }
 
+/// The box as a body, which notes name.
+Model body_with(const ToolShape& shape) {
+  Model model = box_with(shape);
+  model.bodies = {{"box",
+                   0,
+                   static_cast<std::uint32_t>(model.rest_positions.size()),
+                   0,
+                   static_cast<std::uint32_t>(model.tets.size()),
+                   0,
+                   1,
+                   {}}};
+  return model;
+}
+
+TEST_CASE("a body that begins inside both jaws of an instrument is told once", "[contact]") {
+  Model model = body_with(SphereShape{{0.1, 0, 0}, 0.09});
+  Tool& tool = model.tools[0];
+  tool.has_jaws = true;  // around the lower left corner of the box and the lower right one
+  tool.path[0].position = {0.1, 0, 0};
+  tool.mirror.axes.diagonal() << -1, 1, 1;
+  const std::vector<std::string> notes = check_contact(model, "s.json");
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::StartsWith("box: 2 of 34 vertices of its surface begin inside tool, up to 90 mm deep"));
+}
+
 TEST_CASE("a body that begins inside a tool is told", "[contact]") {
   const auto notes_at = [](double height) {
-    Model model = box_with(PlaneShape{{0, 0, 0}, {0, 1, 0}});
-    model.bodies = {{"box",
-                     0,
-                     static_cast<std::uint32_t>(model.rest_positions.size()),
-                     0,
-                     static_cast<std::uint32_t>(model.tets.size()),
-                     0,
-                     1,
-                     {}}};
+    Model model = body_with(PlaneShape{{0, 0, 0}, {0, 1, 0}});
     model.tools[0].path.resize(1);
     model.tools[0].path[0].position.y() = height;
     return check_contact(model, "s.json");
