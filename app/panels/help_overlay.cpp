@@ -112,20 +112,28 @@ void draw_help(WindowState& state) {
   ImGui::End();
 }
 
+std::vector<HintLine> hint_lines(const Hints& hints, bool in_hand) {
+  std::vector<HintLine> lines;
+  if (hints.wanted("help")) lines.push_back({"F1: all keys, F2: examples", true});
+  if (hints.wanted("orbit"))
+    lines.push_back({in_hand ? "Alt + drag beside the tissue to turn the view, Alt + wheel: zoom"
+                             : "Drag beside it to turn the view, wheel: zoom",
+                     false});
+  if (hints.wanted("grab"))
+    lines.push_back(
+        {in_hand ? "Drag to move the instrument, right drag to turn it" : "Drag the tissue to pull at it", false});
+  else if (hints.wanted("tune"))
+    lines.push_back({"Move a slider: the tissue changes at once", false});
+  return lines;
+}
+
 void draw_hints(const Hints& hints, bool in_hand, const Room& room) {
   if (room.width() < ui::px(330) || room.bottom < ui::px(400)) return;  // they do not fit
-  const float middle = room.middle(), line = ui::px(36);
   float below = room.bottom - ui::px(40);
-  const auto say = [&](const char* text, const ImVec4& color) {
-    ui::pill(text, middle, below, color);
-    below -= line;
-  };
-  if (hints.wanted("help")) say("F1: all keys, F2: examples", ui::kDim);
-  if (hints.wanted("orbit")) say("Drag beside it to turn the view, wheel: zoom", ui::kText);
-  if (hints.wanted("grab"))
-    say(in_hand ? "Drag to move the instrument, right drag to turn it" : "Drag the tissue to pull at it", ui::kText);
-  else if (hints.wanted("tune"))
-    say("Move a slider: the tissue changes at once", ui::kText);
+  for (const HintLine& line : hint_lines(hints, in_hand)) {
+    ui::pill(line.text, room.middle(), below, line.dim ? ui::kDim : ui::kText);
+    below -= ui::px(36);
+  }
 }
 
 void draw_recovery(const std::string& scene, const Room& room, Requests& requests) {

@@ -1,6 +1,7 @@
 // Short hints for new users: each is shown until its action was done once, in this window or in an earlier one.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "app/system/user_settings.h"
 
@@ -17,5 +18,12 @@ class Hints {
  private:
   UserStore& user_;
 };
+
+struct HintLine {
+  const char* text;
+  bool dim;
+};
+/// The hints that are wanted, from the bottom up. `in_hand`: a drag moves an instrument.
+std::vector<HintLine> hint_lines(const Hints& hints, bool in_hand);
 
 }  // namespace fascia

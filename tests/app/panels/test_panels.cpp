@@ -101,3 +101,21 @@ TEST_CASE("hints appear where they should", "[panels]") {
   REQUIRE(unit_hint(scene, model));
   CHECK(unit_hint(scene, model)->scale == 1e3);
 }
+
+TEST_CASE("hints at the mouse say what a drag does, also with an instrument in hand", "[panels]") {
+  UserStore user("");
+  Hints hints(user);
+  const auto text = [&](bool in_hand) {
+    std::string lines;
+    for (const HintLine& line : hint_lines(hints, in_hand)) lines += std::string(line.text) + "\n";
+    return lines;
+  };
+  CHECK(text(false) ==
+        "F1: all keys, F2: examples\nDrag beside it to turn the view, wheel: zoom\nDrag the tissue to pull at it\n");
+  CHECK(text(true) ==
+        "F1: all keys, F2: examples\nAlt + drag beside the tissue to turn the view, Alt + wheel: zoom\n"
+        "Drag to move the instrument, right drag to turn it\n");
+  hints.done("grab");
+  CHECK_THAT(text(true),
+             Catch::Contains("Alt + drag") && Catch::EndsWith("Move a slider: the tissue changes at once\n"));
+}
