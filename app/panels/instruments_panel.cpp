@@ -41,8 +41,17 @@ void hand_rows(const Tool& tool, const InstrumentState& state, Requests& request
       "Gap", engineering(state.gap, "m"),
       "Way of its farthest point to the place that the hand commands. Near tissue an instrument moves by at most a "
       "quarter of its finest radius in a step, so that it neither passes through tissue nor tears it");
-  ui::ButtonRow buttons(tool.has_jaws ? 2 : 1);
-  if (tool.has_jaws) requests.toggle_jaws |= buttons.add("Jaws (G)", "Closes or opens the jaws");
+  if (tool.has_jaws) {
+    ui::ButtonRow jaws(2);
+    const auto add = [&](const char* text, double grip, const char* help) {
+      jaws.add(text, help);
+      if (ImGui::IsItemActivated()) requests.move_jaws = grip;
+      requests.stop_jaws |= ImGui::IsItemDeactivated();
+    };
+    add("Close (G)", 1, "Closes the jaws while it is held down, and they stay where it is released");
+    add("Open (Shift + G)", 0, "Opens the jaws while it is held down, and they stay where it is released");
+  }
+  ui::ButtonRow buttons(1);
   requests.let_go_instrument |=
       buttons.add("Let go (Esc)", "The instrument stays where it is, and the mouse grabs again");
 }

@@ -18,7 +18,8 @@ inline constexpr std::array<InstrumentPresetInfo, 4> kInstrumentPresets = {
     {{InstrumentPreset::sphere, "sphere", "Sphere", "A ball that presses"},
      {InstrumentPreset::probe, "probe", "Probe", "A thin rod with a round tip, for palpation"},
      {InstrumentPreset::paddle, "paddle", "Paddle", "A flat plate with rounded edges, to hold tissue aside"},
-     {InstrumentPreset::forceps, "forceps", "Forceps", "Two jaws that close on tissue (G) and hold it by friction"}}};
+     {InstrumentPreset::forceps, "forceps", "Forceps",
+      "Two jaws that close on tissue (hold G) and keep it by friction"}}};
 
 /// Above the middle of the bodies, which `bodies` contains [m]. Its name is none of `taken`: "probe", "probe 2", ...
 Instrument preset_instrument(InstrumentPreset preset, const Eigen::AlignedBox3d& bodies,

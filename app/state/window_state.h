@@ -109,7 +109,7 @@ struct Requests {
        video = false, reload_shaders = false, close = false, plot_table = false, plot_picture = false, recent = false,
        export_dialog = false, copy_command = false, resume_recovered = false, forget_recovered = false, let_go = false,
        save_replay_dialog = false, end_replay = false, save_with_mesh = false, let_go_instrument = false,
-       toggle_jaws = false, fit = false, end_fit = false, apply_fit = false;
+       stop_jaws = false, fit = false, end_fit = false, apply_fit = false;
   std::optional<std::filesystem::path> open, save, export_state, save_replay,
       resume;  // resume: the recording of an interrupted session (autosave.h)
   CompareAsk compare = CompareAsk::nothing;
@@ -119,6 +119,7 @@ struct Requests {
   std::optional<Painting> painting;                       // as well
   std::optional<ElementOrders> elements;                  // of a remedy for locking
   std::optional<std::size_t> pick_instrument;             // tool of the model
+  std::optional<double> move_jaws;                        // 0: open, 1: close, until stop_jaws
   std::optional<InstrumentPreset> add_instrument;
   std::optional<double> rescale;                       // factor for all bodies: the file has another unit
   std::optional<std::vector<std::string>> open_again;  // a mesh on its own, with these --set texts

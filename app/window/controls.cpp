@@ -70,6 +70,8 @@ void Controls::handle(Requests& requests) {
         if (!event.files.empty()) requests.open = event.files.front();
         break;
       case Kind::key_up:
+        if (event.code == GLFW_KEY_G) stage_.hand.stop_jaws(held);
+        break;
       case Kind::text:
         break;
     }
@@ -239,7 +241,7 @@ void Controls::press_key(int key, int mods, Requests& requests) {
       stage_.hand.pick_next(stage_.simulation());
       break;
     case GLFW_KEY_G:
-      stage_.hand.toggle_jaws(held);
+      stage_.hand.move_jaws(shift ? 0 : 1, held);
       break;
     case GLFW_KEY_X:
       state.grab.push = !state.grab.push;

@@ -290,7 +290,8 @@ void Window::carry_out(const Requests& requests) {
   if (requests.frame_view) picture_.frame_bodies();
   if (requests.pick_instrument) stage_.hand.pick(*requests.pick_instrument);
   if (requests.let_go_instrument) stage_.hand.pick(std::nullopt);
-  if (requests.toggle_jaws) stage_.hand.toggle_jaws(sides_.held());
+  if (requests.move_jaws) stage_.hand.move_jaws(*requests.move_jaws, sides_.held());
+  if (requests.stop_jaws) stage_.hand.stop_jaws(sides_.held());
   if (requests.add_instrument) add_instrument(*requests.add_instrument);
   if (requests.let_go) stage_.mouse.let_go_staying(sides_.held());
   if (requests.reload_shaders) reload_shaders();

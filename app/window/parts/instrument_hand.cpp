@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kAwayPerNotch = 0.01;  // of the wheel, in scene radii
-constexpr double kClosing = 0.5;        // [s] from open to closed
+constexpr double kClosing = 2;          // [s] from open to closed
 
 std::size_t first_instrument(const Simulation& simulation) {
   return simulation.model.tools.size() - simulation.scene.tools.instruments.size();
@@ -88,9 +88,17 @@ void InstrumentHand::scroll(double notches, const Session& session) {
   command(session).position += notches * kAwayPerNotch * session.look.radius * session.camera.forward();
 }
 
-void InstrumentHand::toggle_jaws(const Session& session) {
+void InstrumentHand::move_jaws(double grip, const Session& session) {
   if (!picked_ || !session.simulation.model.tools[*picked_].has_jaws) return;
-  grip_ = grip_.value_or(command(session).grip) < 0.5 ? 1 : 0;
+  command(session);
+  grip_ = grip;
+}
+
+// Near tissue the jaws are behind the command: they stop where they are.
+void InstrumentHand::stop_jaws(const Session& session) {
+  if (!grip_) return;
+  grip_.reset();
+  command(session).grip = session.simulation.tool_places()[*picked_].grip;
 }
 
 void InstrumentHand::lead(Session& session) {

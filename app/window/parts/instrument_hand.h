@@ -29,7 +29,9 @@ class InstrumentHand {
   void release() { drag_ = Drag::none; }
   bool dragging() const { return drag_ != Drag::none; }
   void scroll(double notches, const Session& session);  // away from the viewer
-  void toggle_jaws(const Session& session);             // they then close or open within half a second
+  /// They then close (1) or open (0), from one to the other within two seconds, until they are stopped.
+  void move_jaws(double grip, const Session& session);
+  void stop_jaws(const Session& session);
   bool commands() const { return commanded_.has_value(); }
 
   /// Before every step: leads the instrument on.

@@ -96,3 +96,35 @@ TEST_CASE("the mouse still grabs tissue after the last instrument") {
   const auto stats = nlohmann::json::parse(read_file(folder / "stats.json"));
   CHECK(stats.at("contact").at("ball").at("points") == 0);
 }
+
+TEST_CASE("jaws close while G is held, and stay where it is released") {
+  const TemporaryFolder folder;
+  const VirtualDisplay display(1000, kHeight);
+  auto scene = nlohmann::json::parse(scene_text());
+  scene["instruments"] = {
+      {{"name", "forceps"},
+       {"jaws", {{"shape", {{"box", {{"center", {0.02, 0.002, 0}}, {"half_size", {0.02, 0.002, 0.004}}}}}}}},
+       {"path", {{{"time", 0}, {"position", {0, 0.2, 0}}}}}}};
+  write_file(folder / "cube.json", scene.dump());
+  FasciaWindow window({(folder / "cube.json").string(), "--size", "1000x700"}, folder.path());
+  window.screenshot();
+  window.key("Tab");
+  window.key_down("g");
+  window.pause();
+  window.key_up("g");
+  window.pause();
+  window.screenshot();
+  window.key("ctrl+q");
+  CHECK(window.wait() == 0);
+  std::filesystem::path session;
+  for (const auto& entry : std::filesystem::directory_iterator(display.state() / "sessions")) session = entry.path();
+  double grip = 0, closing = 0;
+  for (const Input& input : read_replay(session).inputs)
+    if (const auto* instrument = std::get_if<InstrumentInput>(&input.change)) {
+      closing = instrument->place.grip - grip;
+      grip = instrument->place.grip;
+    }
+  CHECK(grip > 0.05);
+  CHECK(grip < 0.95);
+  CHECK(closing >= 0);
+}

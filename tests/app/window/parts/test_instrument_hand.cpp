@@ -22,7 +22,7 @@ struct Desk {
   Graphics graphics = open_graphics(headless(), false);
   std::unique_ptr<Session> session;
   InstrumentHand hand;
-  Desk() {
+  explicit Desk(double half_jaw = 0.01) {
     Scene scene = open_scene(source_dir() / "assets/scenes/cube.json");
     scene.bodies[0].fixed = {LowestSelection{0.02}};
     scene.gravity.setZero();
@@ -31,11 +31,12 @@ struct Desk {
     scene.tools.ground->height = -1;
     scene.tools.instruments.push_back(
         {"ball", ToolShape(SphereShape{{0, 0, 0}, kRadius}), std::nullopt, {{0, {0, 0.15, 0}, {0, 0, 0}, 0}}, false});
-    scene.tools.instruments.push_back({"forceps",
-                                       JawsShape{BoxShape{{0.01, -0.04, 0}, {0.01, 0.04, 0.01}, 0}, {0, 0, 1}, 40},
-                                       std::nullopt,
-                                       {{0, {0, 0.2, -0.1}, {0, 0, 0}, 0}},
-                                       false});
+    scene.tools.instruments.push_back(
+        {"forceps",
+         JawsShape{BoxShape{{half_jaw, -0.04, 0}, {half_jaw, 0.04, 0.01}, 0}, {0, 0, 1}, 40},
+         std::nullopt,
+         {{0, {0, 0.2, -0.1}, {0, 0, 0}, 0}},
+         false});
     session = std::make_unique<Session>(graphics, scene, false);
   }
   Simulation& simulation() { return session->simulation; }
@@ -112,28 +113,54 @@ TEST_CASE("right drags turn an instrument about its origin, as the mouse goes") 
   CHECK(front.z() == Approx(std::sqrt(0.5)));
 }
 
-TEST_CASE("jaws close and open smoothly, and stay as they are when the hand lets go") {
+TEST_CASE("jaws close and open smoothly while a key is held, and stay as they are when it is released") {
   Desk desk;
   desk.hand.pick(kForceps);
-  desk.hand.toggle_jaws(*desk.session);
+  desk.hand.move_jaws(1, *desk.session);
   double before = 0;
   for (int i = 0; i < 10; ++i) {
     desk.step();
     const double grip = desk.place(kForceps).grip;
     CHECK(grip > before);
-    CHECK(grip < before + 0.05);
+    CHECK(grip < before + 0.01);
     before = grip;
   }
+  desk.hand.stop_jaws(*desk.session);
+  desk.step(5);
+  CHECK(desk.place(kForceps).grip == before);
+  desk.hand.move_jaws(1, *desk.session);
+  desk.step(2);
+  before = desk.place(kForceps).grip;
   desk.hand.pick(std::nullopt);
   desk.step(5);
   CHECK(desk.place(kForceps).grip == before);
   desk.hand.pick(kForceps);
-  desk.hand.toggle_jaws(*desk.session);
-  desk.step(100);
+  desk.hand.move_jaws(1, *desk.session);
+  desk.step(125);
   CHECK(desk.place(kForceps).grip == 1);
-  desk.hand.toggle_jaws(*desk.session);
-  desk.step(100);
+  desk.hand.move_jaws(0, *desk.session);
+  desk.step(125);
   CHECK(desk.place(kForceps).grip == 0);
+}
+
+TEST_CASE("jaws that are behind their command stop where they are", "[contact]") {
+  Desk desk(0.0005);  // so thin that near tissue they close more slowly than commanded
+  desk.hand.pick(kForceps);
+  desk.hand.scroll(-0.1 / (0.01 * desk.session->look.radius), *desk.session);
+  const double pixel = desk.session->camera.pixel_size({0, 0.2, 0}, 400, 400);
+  desk.drag(InstrumentHand::Drag::shift, {200, 100}, {200, 100 + 0.03 / pixel});  // tips in the upper face
+  desk.step(300);
+  REQUIRE(desk.hand.gap(*desk.session) == 0);
+  desk.hand.move_jaws(1, *desk.session);
+  desk.step(20);
+  REQUIRE(desk.hand.gap(*desk.session) > 0);
+  const double grip = desk.place(kForceps).grip;
+  CHECK(grip > 0.03);
+  CHECK(grip < 0.15);
+  desk.hand.stop_jaws(*desk.session);
+  desk.step(20);
+  CHECK(desk.place(kForceps).grip == grip);
+  CHECK(desk.hand.gap(*desk.session) == 0);
 }
 
 TEST_CASE("a jump of the mouse through tissue presses on it instead, with a gap that closes step by step",
