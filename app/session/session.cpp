@@ -10,8 +10,9 @@
 namespace fascia {
 namespace {
 
-constexpr double kFootDepth = 0.05;  // of the radius: a body with held vertices so near its lowest point stands on it
-constexpr double kLeftView = 1.25;   // times the size at rest, beyond which a body has left the view of frame()
+constexpr double kFootDepth = 0.05;   // of the radius: a body with held vertices so near its lowest point stands on it
+constexpr double kLeastTissue = 0.5;  // of the size in the picture that it has without instruments
+constexpr double kLeftView = 1.25;    // times the size at rest, beyond which a body has left the view of frame()
 
 const Eigen::Vector4f kPlainMetal(0, 0, 0, 0), kHighlight(0.95f, 0.62f, 0.30f, 0.45f);  // tints
 
@@ -92,7 +93,28 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
   set_display(simulation.scene.display);
 }
 
-void Session::frame() { camera.frame(box_min_, box_max_); }
+void Session::frame() {
+  camera.frame(box_min_, box_max_);
+  const Eigen::Vector3d tissue = 0.5 * (box_min_ + box_max_);
+  const auto depth = [&](const Camera& view) { return (tissue - view.eye).dot(view.forward()); };
+  const double alone = depth(camera);
+  Eigen::AlignedBox3d shown(box_min_, box_max_);
+  const std::vector<Tool>& tools = simulation.model.tools;
+  for (std::size_t t = tools.size() - simulation.scene.tools.instruments.size(); t < tools.size(); ++t) {
+    if (std::holds_alternative<PlaneShape>(tools[t].shape)) continue;
+    Eigen::AlignedBox3d wider = shown;
+    const ShapeMesh mesh = shape_mesh(tools[t].shape, look.radius);
+    for (std::size_t piece = 0; piece < tools[t].piece_count(); ++piece) {
+      const RigidPose pose = tools[t].pose_of_piece(piece, tools[t].place(0));
+      for (const Eigen::Vector3f& p : mesh.positions) wider.extend(pose.to_scene(p.cast<double>()));
+    }
+    Camera view = camera;
+    view.frame(wider.min(), wider.max());
+    if (!(alone >= kLeastTissue * depth(view))) continue;
+    shown = wider;
+    camera = view;
+  }
+}
 
 void Session::lay_ground(double below) {
   if (const std::optional<Ground>& ground = simulation.scene.tools.ground) {

@@ -80,7 +80,9 @@ class Session {
 
   const VisualSurface& surface() const { return surface_; }
   const std::string& renderer_description() const { return description_; }
-  void frame();  // points the camera at the bodies at rest, from the front
+  /// Points the camera from the front at the bodies at rest, and at those instruments as they start beside which the
+  /// bodies keep half of their size in the picture.
+  void frame();
   /// Frames the current bodies from the camera's direction: they fill this part of a picture of this aspect ratio,
   /// width over height. The ground is placed below them.
   void frame_bodies(double aspect, const Eigen::Vector2d& part);

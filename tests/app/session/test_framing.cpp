@@ -1,6 +1,7 @@
 // The body does not overlap the color bar or the other half of a comparison; pictures without a bar are not changed.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "app/headless/headless.h"
@@ -159,6 +160,31 @@ TEST_CASE("a body is above what covers the bottom of the picture", "[framing]") 
                middle = 0.5 * 800 * (1 + camera.middle.x());
   CHECK(middle + extent.x() * half / smaller >= 338);
   CHECK(middle + extent.y() * half / smaller <= 800);
+}
+
+TEST_CASE("a scene without a camera shows its instruments where the body keeps half of its size", "[framing]") {
+  Graphics graphics = open_graphics(headless(), false);
+  const auto framed = [&](std::vector<Instrument> instruments) {
+    Scene scene = scene_of("cube", "none");
+    scene.camera.reset();
+    scene.tools.instruments = std::move(instruments);
+    return Session(graphics, scene, false).camera;
+  };
+  const auto at = [](const Eigen::Vector3d& place) {
+    return Instrument{"ball", ToolShape(SphereShape{{0, 0, 0}, 0.02}), std::nullopt, {{0, place, {0, 0, 0}, 0}}, false};
+  };
+  const auto is_in = [](const Camera& camera, const Eigen::Vector3d& place) {
+    const Eigen::Vector4f seen = camera.view() * place.homogeneous().cast<float>();
+    return seen.head<2>().cwiseAbs().maxCoeff() < -seen.z() * std::tan(camera.fov_deg * std::numbers::pi / 360);
+  };
+  const Camera alone = framed({});
+  const Eigen::Vector3d beside(0.12, 0.15, 0), far(0.3, 1, 0);
+  CHECK_FALSE(is_in(alone, beside));
+  CHECK(framed({at({0, 0.08, 0})}).eye == alone.eye);  // in view as it is
+  CHECK(framed({at(far)}).eye == alone.eye);
+  const Camera both = framed({at(far), at(beside)});
+  CHECK(is_in(both, beside));
+  CHECK((both.eye - both.target).norm() < 2.5 * (alone.eye - alone.target).norm());
 }
 
 TEST_CASE("a newly framed body fills the space beside the bar", "[framing]") {
