@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "sim/accuracy/mesh_error.h"
 #include "sim/accuracy/nodal_stress.h"
+#include "sim/contact/tissue/penetration.h"
 #include "sim/output/sample.h"
 #include "sim/output/simulation_fields.h"
 #include "sim/output/state_export.h"
@@ -283,6 +284,7 @@ int run_input(const RunOptions& options) {
     inverted = reference::measure(simulation.model, last).inverted;
     stats.tool_loads = simulation.newton_tool_loads();
     stats.pair_loads = simulation.newton_pair_loads();
+    stats.taken_back = simulation.taken_back();
   }
   if ((options.error || options.recovered_stress) && !interrupted()) {
     const PeakStress peak = peak_of(nodal_stress(simulation.model, last), simulation.model);
@@ -313,6 +315,9 @@ int run_input(const RunOptions& options) {
   if (inverted > 0 && !options.quiet)
     std::cerr << "fascia: " << inverted << " of " << plural(simulation.model.tets.size(), "tet")
               << (inverted == 1 ? " is" : " are") << " inside out at the end\n";
+  if (simulation.model.touches_tissue() && !options.quiet)
+    if (const std::size_t pairs = penetrating_triangles(simulation.model, last.displacement); pairs > 0)
+      std::cerr << "fascia: " << plural(pairs, "pair") << " of surface triangles pass through each other at the end\n";
   if (!options.quiet && options.static_equilibrium)
     std::cerr << "fascia: solved in " << stats.wall_s << " s\n";
   else if (!options.quiet)

@@ -34,6 +34,12 @@ double sticking_energy(const Eigen::Vector3d& q, double bound, double penalty);
 /// Its second derivatives by the way across the normal `n` [N/m].
 Eigen::Matrix3d sticking_hessian(const Eigen::Vector3d& q, double bound, double penalty, const Eigen::Vector3d& n);
 
+/// Of a row at some displacements.
+struct RowState {
+  double depth;                // [m] of the penalty
+  Eigen::Vector3d tangential;  // q [N]
+};
+
 /// What presses or may press, as motions of whole bodies see it.
 struct BodyContact {
   static constexpr std::uint32_t kTool = ~0u;

@@ -64,9 +64,12 @@ void ContactEnergy::take_planes(const std::function<std::optional<ToolEntry>(std
     }
 }
 
-void ContactEnergy::put_depths(std::vector<float>& depths, const VectorXd& u) const {
-  for (const Row& row : rows_) depths[memory_row(row)] = static_cast<float>(contact_of(row, u).depth);
-  pairs_.put_depths(depths, u);
+void ContactEnergy::put_rows(std::vector<RowState>& states, const VectorXd& u) const {
+  for (const Row& row : rows_) {
+    const Contact contact = contact_of(row, u);
+    states[memory_row(row)] = {contact.depth, contact.tangential};
+  }
+  pairs_.put_rows(states, u);
 }
 
 Vector3d ContactEnergy::position(const ContactPoint& point, const VectorXd& u) const {

@@ -42,8 +42,8 @@ class ContactEnergy {
 
   /// Planes that stand for pieces in the step (sim/tool/tool_entry.h), in the axes of the scene, by row of the memory.
   void take_planes(const std::function<std::optional<ToolEntry>(std::uint32_t row)>& plane_at);
-  /// The depths of all rows at `u` [m], to [row of the memory].
-  void put_depths(std::vector<float>& depths, const Eigen::VectorXd& u) const;
+  /// All rows at `u`, to [row of the memory].
+  void put_rows(std::vector<RowState>& states, const Eigen::VectorXd& u) const;
 
   /// Energy [J] at displacements `u`; adds its derivatives to `gradient` [3 * vertex_count], and to `magnitude` what
   /// times the machine epsilon bounds its rounding [J]: forces times the coordinates that they are computed from.

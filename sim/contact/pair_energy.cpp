@@ -104,9 +104,11 @@ void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
   }
 }
 
-void PairEnergy::put_depths(std::vector<float>& depths, const VectorXd& u) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    depths[first_row_ + force_row(rows_[i].slot)] = static_cast<float>(contact_of(i, u).depth);
+void PairEnergy::put_rows(std::vector<RowState>& states, const VectorXd& u) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Contact contact = contact_of(i, u);
+    states[first_row_ + force_row(rows_[i].slot)] = {contact.depth, contact.tangential};
+  }
 }
 
 void PairEnergy::append_to(std::vector<BodyContact>& contacts, const std::vector<std::uint32_t>& bodies,

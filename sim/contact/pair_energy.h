@@ -31,7 +31,7 @@ class PairEnergy {
   std::vector<ContactBlock> blocks(const Eigen::VectorXd& u) const;  // of the Hessian, which is semidefinite
   bool empty() const { return rows_.empty(); }
   void remember(const Eigen::VectorXd& u, ContactMemory& memory) const;
-  void put_depths(std::vector<float>& depths, const Eigen::VectorXd& u) const;  // as ContactEnergy
+  void put_rows(std::vector<RowState>& states, const Eigen::VectorXd& u) const;  // as ContactEnergy
   void append_to(std::vector<BodyContact>& contacts, const std::vector<std::uint32_t>& bodies,
                  const Eigen::VectorXd& u) const;  // as ContactEnergy::of_bodies()
   std::vector<PairLoad> loads(const Eigen::VectorXd& u) const;

@@ -143,7 +143,7 @@ void GpuSolver::end_iterations() {
   if (!is_partial() && !bodies_.empty())
     move_bodies();
   else if (touches())
-    contact_.forget_depths();
+    contact_.forget_moved_rows();
 }
 
 void GpuSolver::move_bodies() {
@@ -167,8 +167,9 @@ void GpuSolver::solve_stage(const IntegratorStage& stage) {
       run(kind_->passes.again);
     iterate_all();
   }
-  if (searches == PairSearch::kMostSearches || contact_.cuts()) contact_.take_back(buffers_);
   end_stage();
+  // Afterwards: bodies that are taken back keep the velocities of the solution, whose forces have led to them.
+  if (searches == PairSearch::kMostSearches || contact_.cuts()) contact_.take_back(buffers_);
 }
 
 void GpuSolver::solve_substep() {

@@ -114,8 +114,8 @@ void count_work(RunStats& stats, Simulation& simulation) {
   stats.kernels = simulation.programs()->size();
   stats.gpu_bytes = gl::allocated_bytes();
   stats.gpu_buffers = gl::bytes_by_buffer();
+  stats.taken_back = simulation.taken_back();
   stats.pair_search_ms = simulation.gpu()->pair_search_ms();
-  stats.taken_back = simulation.gpu()->taken_back();
 }
 
 void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,

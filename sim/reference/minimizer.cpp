@@ -16,6 +16,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double reuse_below = 0.1;
 
 constexpr double roundings = 32;  // of an objective, in those of its terms
+// Near the minimum objectives differ by rounding alone, which in stiff bodies that turn is more than that of the terms;
+// slopes still tell (Hager, Zhang 2005, approximate Wolfe conditions). Of the terms:
+constexpr double level = 1e-10;
 
 }  // namespace
 
@@ -146,7 +149,11 @@ bool Minimizer::line_search(const Potential& potential, const VectorXd& directio
     VectorXd trial = u;
     system_.add_to_free(direction, step, trial);
     Value trial_value = evaluate(potential, trial);
-    if (trial_value.energy <= value.energy + 1e-4 * step * slope + rounding) {  // Armijo; false for NaN
+    const double rise = trial_value.energy - value.energy;
+    const bool lower = rise <= 1e-4 * step * slope + rounding;  // Armijo; false for NaN
+    const bool flatter = std::abs(rise) <= level * value.magnitude &&
+                         std::abs(trial_value.gradient.dot(direction)) <= 0.5 * std::abs(slope);
+    if (lower || flatter) {
       u = std::move(trial);
       value = std::move(trial_value);
       return true;

@@ -234,10 +234,13 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
     potential.contact = contact_again(old, penalty, motion, aim, state.contact);
     report.go_on(minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u));
   }
-  if (again == PairSearch::kMostSearches || pairs.cuts())
-    if (const auto back = pairs.taken_back(state.displacement, as_vectors(u), consistent_masses(model)))
-      u = flattened(*back);
   state.earlier.displacement = std::exchange(state.displacement, as_vectors(u));
+  // Bodies that are taken back keep the velocities of the solution: its forces have led to them.
+  if (again == PairSearch::kMostSearches || pairs.cuts())
+    if (auto back = pairs.taken_back(state.earlier.displacement, state.displacement, consistent_masses(model))) {
+      state.displacement = std::move(*back);
+      report.taken_back = 1;
+    }
   const VectorXd end_velocity = stage.velocity(u, start);
   state.earlier.velocity = std::exchange(state.velocity, as_vectors(end_velocity));
   if (!moving.is_diagonal()) state.acceleration = as_vectors(stage.acceleration(end_velocity, start_velocity));
@@ -379,9 +382,8 @@ NewtonReport NewtonSolver::solve(const IntegratorStage& stage, State& state) {
 }
 
 void NewtonSolver::set_tools(const std::optional<ToolMotion>& motion) { impl_->tools = motion; }
-
+void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 void NewtonSolver::set_stop(std::stop_token stop) { impl_->stop = std::move(stop); }
-
 const std::vector<ToolLoad>& NewtonSolver::tool_loads() const { return impl_->loads.tools; }
 const std::vector<PairLoad>& NewtonSolver::pair_loads() const { return impl_->loads.pairs; }
 
@@ -390,8 +392,6 @@ std::vector<Vector3d> NewtonSolver::contact_forces() const {
   if (impl_->touched) impl_->touched->evaluate(impl_->touched_at, gradient);
   return as_vectors(-gradient);
 }
-
-void NewtonSolver::set_springs(const std::vector<GrabSpring>& springs) { impl_->springs = springs; }
 
 NewtonReport NewtonSolver::solve_static(State& state, double tolerance, std::optional<double> until) {
   return impl_->solve_static(state, tolerance, until);

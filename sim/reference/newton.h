@@ -68,18 +68,21 @@ struct NewtonReport {
   /// Of a static solve: false if bodies without supports went on falling or sliding. It then has not converged,
   /// although each of its minimizations did.
   bool rests = true;
+  int taken_back = 0;  // stages whose result would have led tissue through tissue (PairSearch::taken_back())
 
   /// The same solve went on, as `more` reports.
   void go_on(const NewtonReport& more) {
     iterations += more.iterations;
     relative_residual = more.relative_residual;
     converged = more.converged;
+    taken_back += more.taken_back;
   }
   /// Another solve, as `next` reports, came after it: both together.
   void join(const NewtonReport& next) {
     iterations += next.iterations;
     relative_residual = std::max(relative_residual, next.relative_residual);
     converged = converged && next.converged;
+    taken_back += next.taken_back;
   }
 };
 

@@ -89,6 +89,7 @@ void Simulation::make_step() {
     return;
   }
   newton_report_ = reference_->step(reference_state_);
+  newton_taken_back_ += newton_report_.taken_back;
   if (gpu_) gpu_->upload(reference_state_);
 }
 

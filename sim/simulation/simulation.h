@@ -123,6 +123,8 @@ class Simulation {
   /// [tool of the model] of the reference solver in its last step; the GPU's are in its Diagnostics.
   const std::vector<ToolLoad>& newton_tool_loads() const { return reference_->tool_loads(); }
   const std::vector<PairLoad>& newton_pair_loads() const { return reference_->pair_loads(); }  // of tissue on tissue
+  /// Stages of all steps so far whose result would have led tissue through tissue (PairSearch::taken_back()).
+  long taken_back() const { return uses_reference() ? newton_taken_back_ : gpu_->taken_back(); }
   /// Forces of contact in a static equilibrium that was found for the GPU in double precision, until the next step:
   /// there, the GPU's own are those of a step from it, whose error is large beside the weight of stiff bodies.
   struct EquilibriumContact {
@@ -170,6 +172,7 @@ class Simulation {
   std::unique_ptr<reference::NewtonSolver> reference_;
   State reference_state_;
   reference::NewtonReport newton_report_;
+  long newton_taken_back_ = 0;
 
   long steps_ = 0;  // so far
   double simulated_ = 0;

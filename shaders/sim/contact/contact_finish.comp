@@ -14,16 +14,17 @@ INOUT(vec4, ContactMemoryNow, contact_memory_now)  // [rows] xyz t in the axes o
 INOUT(vec4, ContactRow, contact_row)         // [rows] the anchor, then the force on the tissue [N], w depth [m], -1 if apart
 OUTPUT(vec4, ContactForce, contact_force)    // [points + pairs] xyz force, w the normal one [N]
 #if MOVED_BODIES
-// Bodies were moved as wholes to where these depths carry them. Those of rounded places do not where contact is stiff.
-INPUT_FLOAT(ContactDepth, contact_depth)     // [rows] -d [m], or NO_PLANE: of places
+// Bodies were moved as wholes to where these rows carry them. Those of rounded places do not where contact is stiff.
+INPUT_VEC4(ContactMoved, contact_moved)      // [rows] xyz q [N], w -d [m], or NO_PLANE: of places
 #endif
 
-Row at_depth(Row r, uint row) {
+Row where_moved(Row r, uint row) {
 #if MOVED_BODIES
-  float depth = FETCH1(contact_depth, row);
-  if (depth == NO_PLANE) return r;
-  r.depth = depth;
-  r.pressing = max(0.0, r.before + r.penalty * depth);
+  vec4 moved = FETCH(contact_moved, row);
+  if (moved.w == NO_PLANE) return r;
+  r.depth = moved.w;
+  r.pressing = max(0.0, r.before + r.penalty * r.depth);
+  if (r.bound > 0.0) r.across = moved.xyz;
 #endif
   return r;
 }
@@ -36,7 +37,7 @@ void main() {
 #if PAIRS
   if (i >= points) {
     uint pair = i - points, row = row_of_pair(pair);
-    Row r = at_depth(row_of(pair, u, contact_memory_now[row]), row);
+    Row r = where_moved(row_of(pair, u, contact_memory_now[row]), row);
     contact_memory_now[row] = vec4(within(r.across, friction_of_pair(pair) * r.pressing), r.pressing);
     contact_force[i] = vec4(force_of(r), r.pressing);
     return;
@@ -46,7 +47,7 @@ void main() {
   vec4 more = FETCH(contact_rest, 2u * i + 1u);
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = at_depth(row_at(piece, row, rest, more, u, contact_memory_now[row], contact_row[row]), row);
+    Row r = where_moved(row_at(piece, row, rest, more, u, contact_memory_now[row], contact_row[row]), row);
     vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);

@@ -200,7 +200,7 @@ EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuff
                                      {"contact_memory_now", &buffers.contact_memory},
                                      {"contact_row", &rows_},
                                      {"contact_force", &forces_}};
-  if (moves_bodies) bindings.emplace_back("contact_depth", &depths_);
+  if (moves_bodies) bindings.emplace_back("contact_moved", &moved_rows_);
   return {over_near(programs, "sim/contact/contact_finish.comp", std::move(bindings),
                     {{"MOVED_BODIES", moves_bodies ? "1" : "0"}})};
 }

@@ -137,7 +137,8 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   list_ = gl::Buffer("contact_list", none);
   rows_ = gl::Buffer("contact_row", std::vector<vec4>(rows));
   normals_ = gl::Buffer("contact_normal", std::vector<vec4>(rows));
-  depths_ = gl::Buffer("contact_depth", std::vector<float>(surface_.row_count + pairs_.row_count(), kNoPlane));
+  moved_rows_ =
+      gl::Buffer("contact_moved", std::vector<vec4>(surface_.row_count + pairs_.row_count(), vec4{0, 0, 0, kNoPlane}));
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   if (loads == gl::LoadPath::texel)
@@ -269,16 +270,21 @@ void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, g
     });
   std::vector<Vector3d> u = buffers.vectors_of(at);
   if (motions.move(&energy, buffers.vectors_of(aim), length_, u)) buffers.upload_displacements(u, at);
-  std::vector<float> depths(left.size());
-  energy.put_depths(depths, flat(u));
-  depths_.upload(0, depths.size() * sizeof(float), depths.data());
-  has_depths_ = true;
+  std::vector<RowState> states(left.size(), {0, {0, 0, 0}});
+  energy.put_rows(states, flat(u));
+  std::vector<vec4> moved;
+  for (const RowState& state : states) {
+    const Eigen::Vector3f q = state.tangential.cast<float>();
+    moved.push_back({q.x(), q.y(), q.z(), static_cast<float>(state.depth)});
+  }
+  moved_rows_.upload(0, moved.size() * sizeof(vec4), moved.data());
+  has_moved_rows_ = true;
 }
 
-void ContactTerm::forget_depths() {
-  if (!std::exchange(has_depths_, false)) return;
-  const std::vector<float> none(surface_.row_count + pairs_.row_count(), kNoPlane);
-  depths_.upload(0, none.size() * sizeof(float), none.data());
+void ContactTerm::forget_moved_rows() {
+  if (!std::exchange(has_moved_rows_, false)) return;
+  const std::vector<vec4> none(surface_.row_count + pairs_.row_count(), vec4{0, 0, 0, kNoPlane});
+  moved_rows_.upload(0, none.size() * sizeof(vec4), none.data());
 }
 
 bool ContactTerm::search_again(SimBuffers& buffers) {

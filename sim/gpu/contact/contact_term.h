@@ -36,13 +36,13 @@ class ContactTerm : public EnergyTerm {
   /// Whether the stage's iterations led tissue through tissue. Their result is then where the next ones of the same
   /// stage start, with the pairs that are met on the way there. Waits for the GPU where tissue is near tissue.
   bool search_again(SimBuffers& buffers);
-  /// After the last search of a stage, which need not have found a way around all that meets; before its end.
+  /// After the last search of a stage, which need not have found a way around all that meets; after its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
   /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes, and has the
-  /// forces at the end of the stage from depths in double precision. Waits for the GPU.
+  /// forces at the end of the stage from places in double precision. Waits for the GPU.
   void move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads);
-  /// The forces at the end of the stage are those of the GPU's own depths.
-  void forget_depths();
+  /// The forces at the end of the stage are those of the GPU's own places.
+  void forget_moved_rows();
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
@@ -144,7 +144,7 @@ class ContactTerm : public EnergyTerm {
   std::vector<std::size_t> first_nodes_;              // [tool] in grids_
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
-  gl::Buffer rows_, normals_, depths_, forces_, blocks_, loads_;
+  gl::Buffer rows_, normals_, moved_rows_, forces_, blocks_, loads_;
   gl::Buffer sums_;                       // of contact_gather.comp; absent on GPUs
   gl::Buffer areas_;                      // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<double> stiffness_, kept_;  // [point] of the penalty on depth [N/m]; kept_shares() of the stage
@@ -153,7 +153,7 @@ class ContactTerm : public EnergyTerm {
   double share_ = 0;                      // of the stage in the loads of the step; 0 before its first one
   StepLoads earlier_loads_;
   std::optional<gl::ComputePass> load_pass_;
-  bool has_depths_ = false;                // of move_bodies() in depths_
+  bool has_moved_rows_ = false;            // of move_bodies() in moved_rows_
   std::vector<shared::vec4> uploaded_;     // of pieces_
   std::vector<std::uint32_t> read_list_;   // of list_, for stiffness_at_points()
   std::vector<shared::vec4> read_blocks_;  // of blocks_

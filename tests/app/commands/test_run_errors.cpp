@@ -49,6 +49,8 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CHECK(euler.at("time_resolved").get<bool>());
   CHECK(euler.at("mesh").get<double>() > 0.02);  // 4,963 linear tets of a beam that bends
   CHECK(euler.at("mesh").get<double>() < 0.5);
+  CHECK(euler.at("mesh").get<double>() >= euler.at("mesh_state").get<double>());
+  CHECK(euler.at("mesh_over_run").get<double>() > 0.02);
   CHECK(euler.at("peak_stress").at("mesh").get<double>() > 0);
   CHECK(euler.at("peak_stress").at("solver").get<double>() < 1e-3);
   CHECK(euler.at("peak_stress").at("time").get<double>() > 1e-3);
@@ -61,9 +63,11 @@ TEST_CASE("run --error tells the errors of solver, time step and mesh apart", "[
   CHECK_FALSE(still.contains("time_resolved"));
   CHECK_FALSE(still.at("peak_stress").contains("solver"));
   CHECK_FALSE(still.at("peak_stress").contains("time"));
-  CHECK(still.contains("mesh"));
+  CHECK(still.at("mesh") == still.at("mesh_state"));
+  CHECK_FALSE(still.contains("mesh_over_run"));
   CHECK_FALSE(exact.contains("solver"));
   CHECK(exact.contains("time"));
+  CHECK(exact.contains("mesh_over_run"));
 }
 
 TEST_CASE("run --error has the step of a hit, after which the last one is exact", "[cli]") {

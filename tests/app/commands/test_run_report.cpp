@@ -38,6 +38,21 @@ TEST_CASE("forces of contact in stats.json are those of the static equilibrium, 
   }
 }
 
+TEST_CASE("a run says where surfaces pass through each other at its end", "[cli]") {
+  const TemporaryFolder folder;
+  write_mesh(folder / "cube.msh", make_box(1, 1, 1, {0.01, 0.01, 0.01}));
+  const auto run = [&](double distance) {
+    write_file(folder / "two.json", R"({"fascia_scene": 1, "gravity": [0, 0, 0], "contact": {}, "bodies": [
+        {"name": "a", "mesh": "cube.msh"}, {"name": "b", "mesh": "cube.msh", "transform": {"translate": [)" +
+                                        std::to_string(distance) + R"(, 0.003, 0.002]}}]})");
+    return run_fascia({"run", (folder / "two.json").string(), "--steps", "1", "--reference"});
+  };
+  const CommandResult inside = run(0.007), apart = run(0.02);
+  CAPTURE(inside.err, apart.err);
+  CHECK(inside.err.find(" pairs of surface triangles pass through each other at the end") != std::string::npos);
+  CHECK(apart.err.find("pass through each other") == std::string::npos);
+}
+
 TEST_CASE("the guide has a row for every key of stats.json", "[cli]") {
   const std::string guide = read_file(source_dir() / "docs/guide/command-line.md");
   const std::string liver = (source_dir() / "assets/scenes/liver_hands.json").string();
