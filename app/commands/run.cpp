@@ -23,12 +23,12 @@
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
 #include "sim/simulation/divergence.h"
-#include "sim/simulation/mesh_error_in_motion.h"
+#include "sim/simulation/errors/mesh_error_in_motion.h"
+#include "sim/simulation/errors/solver_error.h"
+#include "sim/simulation/errors/time_error.h"
+#include "sim/simulation/errors/true_error.h"
+#include "sim/simulation/errors/worst_step.h"
 #include "sim/simulation/simulation.h"
-#include "sim/simulation/solver_error.h"
-#include "sim/simulation/time_error.h"
-#include "sim/simulation/true_error.h"
-#include "sim/simulation/worst_step.h"
 
 namespace fascia {
 namespace {

@@ -12,9 +12,9 @@
 #include "sim/output/stats.h"
 #include "sim/reference/newton.h"
 #include "sim/simulation/divergence.h"
-#include "sim/simulation/mesh_error_in_motion.h"
+#include "sim/simulation/errors/mesh_error_in_motion.h"
+#include "sim/simulation/errors/time_error.h"
 #include "sim/simulation/simulation.h"
-#include "sim/simulation/time_error.h"
 
 namespace fascia {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/verify/solids.h"
 #include "app/verify/verification.h"
 #include "base/text.h"
-#include "sim/simulation/mesh_error_in_motion.h"
+#include "sim/simulation/errors/mesh_error_in_motion.h"
 
 namespace fascia {
 namespace {

@@ -10,7 +10,7 @@
 #include "sim/elements/quadratic_tet.h"
 #include "sim/mesh/mesh_generate.h"
 #include "sim/reference/newton.h"
-#include "sim/simulation/time_error.h"
+#include "sim/simulation/errors/time_error.h"
 
 namespace fascia {
 namespace {

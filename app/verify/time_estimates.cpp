@@ -10,7 +10,7 @@
 #include "sim/accuracy/relative_distance.h"
 #include "sim/grab/build_model.h"
 #include "sim/mesh/mesh_generate.h"
-#include "sim/simulation/time_error.h"
+#include "sim/simulation/errors/time_error.h"
 
 namespace fascia {
 namespace {

@@ -1,5 +1,7 @@
 // Guards of a step: pairs that keep apart what went through each other in an earlier solution of the step, whatever
 // their normals say. They stay while they press. Where all of them are in vain, bodies are taken back.
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,6 +14,7 @@ namespace fascia {
 namespace {
 
 using Eigen::AlignedBox3d;
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vertices = std::array<std::uint32_t, 4>;
 
@@ -213,25 +216,53 @@ bool PairSearch::misses(const std::vector<Vector3d>& end) {
   return changed;
 }
 
+// Of bodies as if they were one rigid body, from their places at the start of the step.
+struct PairSearch::Together {
+  double mass = 0;
+  Vector3d center{0, 0, 0}, way{0, 0, 0}, angular{0, 0, 0};  // way of the center [m]; angular: of ways [kg m^2]
+  Matrix3d turning = Matrix3d::Zero(), turn = Matrix3d::Identity();
+
+  Vector3d way_of(const Vector3d& place) const { return way + turn * (place - center) - (place - center); }
+};
+
+std::vector<PairSearch::Together> PairSearch::together(const std::vector<std::uint32_t>& leaders,
+                                                       const std::vector<Vector3d>& start,
+                                                       const std::vector<Vector3d>& end,
+                                                       const std::vector<double>& masses) const {
+  std::vector<Together> groups(leaders.size());
+  const auto group_of = [&](std::size_t v) -> Together& { return groups[leaders[body_of_[v]]]; };
+  for (std::size_t v = 0; v < start.size(); ++v) group_of(v).mass += masses[v];
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    const double share = masses[v] / group_of(v).mass;
+    group_of(v).center += share * (rest_[v] + start[v]);
+    group_of(v).way += share * (end[v] - start[v]);
+  }
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    const Vector3d arm = rest_[v] + start[v] - group_of(v).center;
+    group_of(v).angular += masses[v] * arm.cross(end[v] - start[v]);
+    group_of(v).turning += masses[v] * (arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose());
+  }
+  for (Together& group : groups) {
+    const Vector3d turn = group.turning.ldlt().solve(group.angular);
+    if (const double angle = turn.norm(); angle > 0 && std::isfinite(angle))
+      group.turn = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  }
+  return groups;
+}
+
 std::optional<std::vector<Vector3d>> PairSearch::taken_back(const std::vector<Vector3d>& start,
                                                             const std::vector<Vector3d>& end,
                                                             const std::vector<double>& masses) {
   constexpr double kLeastShare = 1.0 / 16;
   if (empty() || !sees_near()) return std::nullopt;
   struct Group {  // of bodies, by its first one
-    double share = 1, mass = 0;
-    Vector3d moment{0, 0, 0};  // mass times way [kg m]
+    double share = 1;
     bool held = false, in_vain = false;
   };
   std::vector<Group> groups(trees_.size());
   std::vector<std::uint32_t> leaders(trees_.size());
   std::iota(leaders.begin(), leaders.end(), 0u);
-  for (std::size_t v = 0; v < start.size(); ++v) {
-    Group& group = groups[body_of_[v]];
-    group.mass += masses[v];
-    group.moment += masses[v] * (end[v] - start[v]);
-    group.held = group.held || held_[v];
-  }
+  for (std::size_t v = 0; v < start.size(); ++v) groups[body_of_[v]].held |= held_[v] != 0;
   const auto leader_of = [&](std::uint32_t body) {
     while (leaders[body] != body) body = leaders[body];
     return body;
@@ -245,8 +276,7 @@ std::optional<std::vector<Vector3d>> PairSearch::taken_back(const std::vector<Ve
       Group &first = groups[std::min(a, b)], &second = groups[std::max(a, b)];
       if (a != b) {
         leaders[std::max(a, b)] = std::min(a, b);
-        first = {std::min(first.share, second.share), first.mass + second.mass, first.moment + second.moment,
-                 first.held || second.held, first.in_vain || second.in_vain};
+        first = {std::min(first.share, second.share), first.held || second.held, first.in_vain || second.in_vain};
         if (first.in_vain) first.share = 1;
         cut[std::max(a, b)] = 0;
       }
@@ -261,14 +291,33 @@ std::optional<std::vector<Vector3d>> PairSearch::taken_back(const std::vector<Ve
       changed = true;
     }
     if (!changed) return result == end ? std::nullopt : std::optional(result);
+    std::vector<std::uint32_t> of_body(leaders.size());
+    for (std::uint32_t body = 0; body < leaders.size(); ++body) of_body[body] = leader_of(body);
+    const std::vector<Together> whole = together(of_body, start, end, masses);
     for (std::size_t v = 0; v < result.size(); ++v) {
-      const Group& group = groups[leader_of(body_of_[v])];
+      const std::uint32_t leader = of_body[body_of_[v]];
+      const Group& group = groups[leader];
       result[v] = end[v];
       if (held_[v] || group.share == 1) continue;
-      const Vector3d together = group.held ? Vector3d(0, 0, 0) : Vector3d(group.moment / group.mass);
-      result[v] = start[v] + group.share * (end[v] - start[v]) + (1 - group.share) * together;
+      const Vector3d way = group.held ? Vector3d(0, 0, 0) : whole[leader].way_of(rest_[v] + start[v]);
+      result[v] = start[v] + group.share * (end[v] - start[v]) + (1 - group.share) * way;
     }
   }
+}
+
+void PairSearch::slow_down(const std::vector<Vector3d>& start, const std::vector<Vector3d>& end,
+                           const std::vector<Vector3d>& back, double duration, std::vector<Vector3d>& velocity) {
+  for (std::size_t v = 0; v < back.size(); ++v)
+    if (back[v] != end[v]) velocity[v] = (back[v] - start[v]) / duration;
+}
+
+bool PairSearch::take_back(const std::vector<Vector3d>& start, const std::vector<double>& masses, double duration,
+                           State& state) {
+  auto back = taken_back(start, state.displacement, masses);
+  if (!back) return false;
+  if (state.taken_back) slow_down(start, state.displacement, *back, duration, state.velocity);
+  state.displacement = std::move(*back);
+  return true;
 }
 
 // Of a vertex that a guard pressed in the step before: the nearest face, on whichever side the vertex is.

@@ -73,12 +73,25 @@ class PairSearch {
   bool cuts() const { return cuts_; }
   /// After the last search: the displacements [vertex_count] [m] of a step from `start` whose solution `end` still
   /// leads tissue through tissue. The bodies that meet so go only as far of their own ways as nothing goes through, and
-  /// keep their momentum where nothing holds them. Nothing: it does not. `masses` [vertex_count] [kg].
+  /// for the rest as one rigid body with their momentum and angular momentum where nothing holds them. Nothing: it does
+  /// not. `masses` [vertex_count] [kg].
   std::optional<std::vector<Eigen::Vector3d>> taken_back(const std::vector<Eigen::Vector3d>& start,
                                                          const std::vector<Eigen::Vector3d>& end,
                                                          const std::vector<double>& masses);
+  /// Velocities [vertex_count] [m/s] of a stage of `duration` [s] that is taken back, as the one before it was: those
+  /// of the ways that are left. Once, bodies keep the velocities that the forces of the solution have led to, and come
+  /// to meet a little later; where they stand still in stage after stage, these forces would add up.
+  static void slow_down(const std::vector<Eigen::Vector3d>& start, const std::vector<Eigen::Vector3d>& end,
+                        const std::vector<Eigen::Vector3d>& back, double duration,
+                        std::vector<Eigen::Vector3d>& velocity);
+  /// Both for the state at the end of a stage; whether it was taken back.
+  bool take_back(const std::vector<Eigen::Vector3d>& start, const std::vector<double>& masses, double duration,
+                 State& state);
 
  private:
+  struct Together;
+  std::vector<Together> together(const std::vector<std::uint32_t>& leaders, const std::vector<Eigen::Vector3d>& start,
+                                 const std::vector<Eigen::Vector3d>& end, const std::vector<double>& masses) const;
   static constexpr std::uint32_t kNone = ~0u;
   struct Candidate {
     PairRow row;

@@ -39,6 +39,7 @@ struct State {
   /// [vertex_count] dv/dt in the last stage [m/s^2], of models with quadratic tets: supports accelerate what moves at
   /// centroids (MovingMasses in sim/model/model.h). Empty: unknown, or zero.
   std::vector<Eigen::Vector3d> acceleration = {};
+  bool taken_back = false;        // the last stage (PairSearch::taken_back()), by the reference solver
   ContactMemory contact = {};     // forces that the step before left
   std::vector<LedTool> led = {};  // tools that left their paths
 };

@@ -235,14 +235,11 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
     report.go_on(minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u));
   }
   state.earlier.displacement = std::exchange(state.displacement, as_vectors(u));
-  // Bodies that are taken back keep the velocities of the solution: its forces have led to them.
-  if (again == PairSearch::kMostSearches || pairs.cuts())
-    if (auto back = pairs.taken_back(state.earlier.displacement, state.displacement, consistent_masses(model))) {
-      state.displacement = std::move(*back);
-      report.taken_back = 1;
-    }
   const VectorXd end_velocity = stage.velocity(u, start);
   state.earlier.velocity = std::exchange(state.velocity, as_vectors(end_velocity));
+  const bool may_cut = again == PairSearch::kMostSearches || pairs.cuts();
+  state.taken_back = may_cut && pairs.take_back(as_vectors(old), consistent_masses(model), stage.duration, state);
+  report.taken_back = state.taken_back ? 1 : 0;
   if (!moving.is_diagonal()) state.acceleration = as_vectors(stage.acceleration(end_velocity, start_velocity));
   state.time += stage.duration;
   if (potential.contact) {

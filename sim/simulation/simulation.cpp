@@ -230,6 +230,7 @@ void Simulation::go_on_from(const State& state) {
   if (reference_) {
     reference_state_ = state;
     reference_state_.acceleration.clear();  // as on the GPU: what was set need not be the end of a step
+    reference_state_.taken_back = false;
   }
   if (gpu_) gpu_->upload(state);
   led_.restart(state.led);

@@ -109,6 +109,7 @@ std::vector<Vector3d> ContactTerm::forces_at_vertices() const {
 
 void ContactTerm::forget_forces() {
   if (!acts()) return;
+  pairs_.state_changed();
   earlier_loads_.begin();
   forces_.clear();
   rows_.clear();

@@ -23,6 +23,7 @@ void PairStage::materials_changed(const Model& model, std::span<ContactForce> me
 }
 
 void PairStage::begin(double time, const IntegratorStage& stage, SimBuffers& buffers, std::uint32_t first_row) {
+  was_taken_back_ = std::exchange(is_taken_back_, false);
   const double duration = duration_ = stage.duration;
   start_time_ = time - duration;
   length_ = stage.length;
@@ -58,6 +59,12 @@ void PairStage::take_back(SimBuffers& buffers) {
   end_ = buffers.download_vectors(buffers.displacement);
   const auto back = timed([&] { return search_.taken_back(start_, end_, consistent_masses(model_)); });
   if (!back) return;
+  is_taken_back_ = true;
+  if (was_taken_back_) {
+    std::vector<Vector3d> velocity = buffers.download_vectors(buffers.velocity);
+    PairSearch::slow_down(start_, end_, *back, duration_, velocity);
+    buffers.upload_velocities(velocity);
+  }
   buffers.upload_displacements(*back, buffers.displacement.read<shared::vec4>());
   ++taken_back_;
 }

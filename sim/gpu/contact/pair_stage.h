@@ -26,6 +26,7 @@ class PairStage {
   /// After the last search: if the result still leads tissue through tissue, takes the bodies that meet so back. Waits
   /// for the GPU where tissue is near tissue.
   void take_back(SimBuffers& buffers);
+  void state_changed() { is_taken_back_ = false; }
   bool cuts() const { return search_.cuts(); }
   long taken_back() const { return taken_back_; }  // in how many stages so far
 
@@ -55,6 +56,7 @@ class PairStage {
   PairSearch search_;
   double search_ms_ = 0, start_time_ = 0, duration_ = 0, length_ = 0;
   long taken_back_ = 0;
+  bool is_taken_back_ = false, was_taken_back_ = false;  // this stage, and the one before
   std::vector<PairRow> rows_;
   std::vector<shared::vec4> before_;  // [row] that the step before left: of forces xyz friction, w the normal one [N]
   std::vector<char> falls_;           // [vertex] in unconstrained parts

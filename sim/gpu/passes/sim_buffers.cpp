@@ -243,6 +243,12 @@ void SimBuffers::upload_displacements(const std::vector<Eigen::Vector3d>& u, con
   displacement_low.upload(0, values.size() * sizeof(vec4), values.data());
 }
 
+void SimBuffers::upload_velocities(const std::vector<Eigen::Vector3d>& v) {
+  std::vector<vec4> values(vertex_count);
+  for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4(v[placement.vertex[i]], 0);
+  velocity.upload(0, values.size() * sizeof(vec4), values.data());
+}
+
 void SimBuffers::upload_state(const Model& model, const State& state) {
   upload_displacements(state.displacement);
   std::vector<vec4> values(vertex_count);

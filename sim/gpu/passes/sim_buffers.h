@@ -121,6 +121,7 @@ struct SimBuffers {
   /// `u`: [vertex of the model] [m]. `before`: what the buffer holds in a stage, whose inverse masses stay, for what
   /// the stage still computes; empty: between stages.
   void upload_displacements(const std::vector<Eigen::Vector3d>& u, const std::vector<shared::vec4>& before = {});
+  void upload_velocities(const std::vector<Eigen::Vector3d>& velocity);
   /// `earlier_step`: State::Earlier::step; 0: the earlier state is left out.
   State download_state(double time, double earlier_step = 0) const;
   /// (u - u~) / l^2 + g of every vertex [m/s^2], at the end of a stage of length `l` [s]; constrained ones have no g.

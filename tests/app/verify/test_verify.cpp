@@ -1,5 +1,6 @@
 // The report of fascia verify and its bodies; tests/app/commands/test_verify.cpp runs the tests.
-// Covers: cantilever, column, cook, estimates, gpu, motion_estimates, orders, patches, solids, stresses, time_estimates, verification
+// Covers: cantilever, column, cook, estimates, gpu, motion_estimates, orders, patches, solids, stresses
+// Covers: time_estimates, verification
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -68,7 +68,8 @@ TEST_CASE("bodies that are taken back before they go through each other keep the
   CAPTURE(name_of(integrator), by_reference, run.taken_back(), before.angular.transpose(), after.angular.transpose(),
           before.energy, after.energy);
   CHECK(run.taken_back() > 0);
-  CHECK((after.momentum - before.momentum).norm() < (by_reference ? 1e-12 : 1e-4) * 0.064);  // 64 g at 1 m/s
+  // 64 g at 1 m/s. Displacements in single precision are 4e-9 m off, velocities of stages of 1.5e-4 s by 3e-5 m/s.
+  CHECK((after.momentum - before.momentum).norm() < (by_reference ? 1e-12 : 1e-3) * 0.064);
   CHECK((after.angular - before.angular).norm() < 0.05 * before.angular.norm());
   CHECK(after.energy < before.energy);
   CHECK(after.energy > 0.25 * before.energy);

@@ -1,4 +1,4 @@
-#include "sim/simulation/solver_error.h"
+#include "sim/simulation/errors/solver_error.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include "sim/accuracy/relative_distance.h"
 #include "sim/grab/build_model.h"
 #include "sim/mesh/mesh_generate.h"
-#include "sim/simulation/worst_step.h"
+#include "sim/simulation/errors/worst_step.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;

@@ -9,9 +9,9 @@ namespace fascia {
 
 /// Repeats all steps of `done`, a scene whose values nothing else has changed, on its own tets and on finer ones
 /// (sim/accuracy/refined_bodies.h): linear tets become quadratic, quadratic ones are cut in eight. Both in steps that
-/// are solved (sim/simulation/solver_error.h), as long as those of the run; errors are relative to the finer run. Not
-/// complete for a replay, or more tets than FinerSolution::most_tets(). Takes 20 to 40 times the time of a run with ten
-/// iterations. Throws Error.
+/// are solved (sim/simulation/errors/solver_error.h), as long as those of the run; errors are relative to the finer
+/// run. Not complete for a replay, or more tets than FinerSolution::most_tets(). Takes 20 to 40 times the time of a run
+/// with ten iterations. Throws Error.
 RunError estimate_mesh_error_in_motion(const Simulation& done, gl::ProgramCache* programs,
                                        const std::stop_token& stop = interrupt_token());
 

@@ -1,8 +1,8 @@
-#include "sim/simulation/solver_error.h"
+#include "sim/simulation/errors/solver_error.h"
 
 #include <algorithm>
 
-#include "sim/simulation/repeated_run.h"
+#include "sim/simulation/errors/repeated_run.h"
 
 namespace fascia {
 

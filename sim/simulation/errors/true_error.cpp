@@ -1,4 +1,4 @@
-#include "sim/simulation/true_error.h"
+#include "sim/simulation/errors/true_error.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/accuracy/nodal_stress.h"
+#include "sim/simulation/errors/time_error.h"
 #include "sim/simulation/simulation.h"
-#include "sim/simulation/time_error.h"
 
 namespace fascia {
 

@@ -1,5 +1,5 @@
 // Which steps are compared with the exact ones, and the worst of them.
-#include "sim/simulation/worst_step.h"
+#include "sim/simulation/errors/worst_step.h"
 
 #include <catch2/catch.hpp>
 

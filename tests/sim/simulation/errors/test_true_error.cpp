@@ -5,7 +5,7 @@
 
 #include "sim/accuracy/mesh_error.h"
 #include "sim/accuracy/relative_distance.h"
-#include "sim/simulation/true_error.h"
+#include "sim/simulation/errors/true_error.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;

@@ -1,4 +1,4 @@
-#include "sim/simulation/repeated_run.h"
+#include "sim/simulation/errors/repeated_run.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
 // Covers: repeated_run
-#include "sim/simulation/time_error.h"
+#include "sim/simulation/errors/time_error.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "sim/simulation/mesh_error_in_motion.h"
+#include "sim/simulation/errors/mesh_error_in_motion.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
-#include "sim/simulation/mesh_error_in_motion.h"
+#include "sim/simulation/errors/mesh_error_in_motion.h"
 
 #include "sim/accuracy/finer_solution.h"
-#include "sim/simulation/repeated_run.h"
-#include "sim/simulation/solver_error.h"
+#include "sim/simulation/errors/repeated_run.h"
+#include "sim/simulation/errors/solver_error.h"
 
 namespace fascia {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/simulation/worst_step.h"
+#include "sim/simulation/errors/worst_step.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "sim/simulation/time_error.h"
+#include "sim/simulation/errors/time_error.h"
 
-#include "sim/simulation/repeated_run.h"
+#include "sim/simulation/errors/repeated_run.h"
 
 namespace fascia {
 

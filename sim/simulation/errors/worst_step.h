@@ -1,7 +1,7 @@
 // The largest error of the solver over a run: a step that is far from the exact one, as at a hit, leaves a state from
 // which the last step may well be exact.
 #pragma once
-#include "sim/simulation/true_error.h"
+#include "sim/simulation/errors/true_error.h"
 
 namespace fascia {
 
