@@ -35,7 +35,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.piece = i;
       row.point = p;
       const Vector3d local = before.to_local(position(surface.points[p], start));
-      row.stiffness = stiffness[p];
+      row.stiffness = piece.penalty * stiffness[p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
       row.bearing = remembers ? memory[piece.first_row + p].normal : 0;

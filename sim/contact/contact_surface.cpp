@@ -269,7 +269,8 @@ ContactSurface make_contact_surface(const Model& model) {
   for (std::uint32_t t = 0; t < model.tools.size(); ++t)
     for (std::uint32_t piece = 0; piece < model.tools[t].piece_count(); ++piece) {
       const std::uint32_t points = count[static_cast<std::size_t>(levels[t])];
-      surface.pieces.push_back({t, piece, levels[t], points, surface.row_count});
+      surface.pieces.push_back(
+          {t, piece, levels[t], points, surface.row_count, model.tools[t].has_jaws ? kPenaltyOfJaws : 1});
       surface.row_count += points;
     }
   return surface;

@@ -29,7 +29,10 @@ struct ContactPiece {
   int level;
   std::uint32_t points;     // the first ones of ContactSurface::points
   std::uint32_t first_row;  // in ContactMemory of a state
+  double penalty = 1;       // of its points, as a share of contact_stiffness()
 };
+/// That of jaws: what two of them squeeze is stiff on both sides, and ten iterations let it go.
+inline constexpr double kPenaltyOfJaws = 0.5;
 
 struct ContactSurface {
   static constexpr int kFinestLevel = 3;

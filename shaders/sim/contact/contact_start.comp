@@ -70,7 +70,7 @@ void main() {
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
-    float penalty = FETCH(contact_rest, 2u * i).w;
+    float penalty = FETCH(contact_rest, 2u * i).w * penalty_of(piece);
     float sliding = max(STICKING * penalty, friction_of(piece) * FETCH(contact_memory, row).w / full_slip(piece));
     contact_anchor[row] = vec4(anchor, sliding);
     vec3 last = to_local(end, x + way), stay = to_local(end, x);

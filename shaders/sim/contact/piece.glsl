@@ -20,6 +20,7 @@ bool same(PiecePose a, PiecePose b) { return a.axes == b.axes && a.origin == b.o
 vec3 to_local(PiecePose pose, vec3 x) { return (x - pose.origin) * pose.axes; }
 
 float friction_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece).w; }
+float penalty_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 1u).w; }  // of its points, over contact_rest's
 float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2u).w; }
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside

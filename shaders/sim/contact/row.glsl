@@ -27,7 +27,7 @@ Row row_at(uint piece, uint row, vec4 rest, vec4 more, vec3 u, vec4 memory, vec4
   d.w += dot(d.xyz, lost);  // rounded places are off by more than what small stiff tissue lets in under its load
   Row r;
   r.before = more.x * memory.w;
-  r.penalty = rest.w;
+  r.penalty = rest.w * penalty_of(piece);
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;

@@ -308,7 +308,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     }
     const PieceRows shape = piece_rows_of(placed, first_nodes_[piece.tool]);
     const double reach = farthest_way(placed, before, after) + margin_;
-    add(rows, after, tool.friction, 0, reach, half_thickness_);
+    add(rows, after, tool.friction, piece.penalty, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
