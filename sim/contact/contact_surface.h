@@ -32,7 +32,7 @@ struct ContactPiece {
   double penalty = 1;       // of its points, as a share of contact_stiffness()
 };
 /// That of jaws: what two of them squeeze is stiff on both sides, and ten iterations let it go.
-inline constexpr double kPenaltyOfJaws = 0.5;
+inline constexpr double kPenaltyOfJaws = 0.1;
 
 struct ContactSurface {
   static constexpr int kFinestLevel = 3;
