@@ -18,7 +18,7 @@ std::vector<double> contact_gaps(const Model& model, const State& state, const s
       for (std::size_t piece = 0; piece < model.tools[t].piece_count(); ++piece) {
         const RigidPose pose = model.tools[t].pose_of_piece(piece, places[t]);
         const Eigen::Vector3d local = pose.to_local(model.rest_positions[v] + state.displacement[v]);
-        nearest = std::min(nearest, distance_to(model.tools[t].shape, local).distance);
+        nearest = std::min(nearest, gap_to(model.tools[t].shape, local));
       }
     gaps[v] = nearest - 0.5 * model.contact.thickness;
   }

@@ -82,6 +82,11 @@ struct Distance {
 
 ShapeDistance distance_to(const ToolShape& shape, const Vector3d& point) { return std::visit(Distance{point}, shape); }
 
+double gap_to(const ToolShape& shape, const Vector3d& point) {
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  return mesh ? gap_to(*mesh->solid, point) : distance_to(shape, point).distance;
+}
+
 double finest_radius(const ToolShape& shape) {
   struct Finest {
     double operator()(const SphereShape& s) const { return s.radius; }

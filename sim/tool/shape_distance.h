@@ -14,6 +14,8 @@ struct ShapeDistance {
 };
 /// At a point in the axes of the shape [m].
 ShapeDistance distance_to(const ToolShape& shape, const Eigen::Vector3d& point);
+/// The distance for reports [m]: that of distance_to(), which far from a mesh is a lower bound only, exact there, too.
+double gap_to(const ToolShape& shape, const Eigen::Vector3d& point);
 
 /// The radius [m] of the finest part of a shape that may press into tissue; infinite for a plane.
 double finest_radius(const ToolShape& shape);

@@ -80,6 +80,15 @@ ShapeDistance within(const SolidMesh& solid, const Vector3d& place) {
   return {value, slope / solid.spacing, bend / (solid.spacing * solid.spacing)};
 }
 
+struct Place {  // in cells
+  Vector3d point, clamped, last;
+};
+Place place_in(const SolidMesh& solid, const Vector3d& point) {
+  const Vector3d place = (point - solid.origin) / solid.spacing;
+  const Vector3d last(solid.count[0] - 1.5, solid.count[1] - 1.5, solid.count[2] - 1.5);
+  return {place, place.cwiseMax(0.5).cwiseMin(last), last};
+}
+
 }  // namespace
 
 SolidMesh solid_of(const SurfaceMesh& surface, double scale, const std::string& where) {
@@ -90,29 +99,33 @@ SolidMesh solid_of(const SurfaceMesh& surface, double scale, const std::string& 
   for (Vector3d& x : solid.positions) x *= scale;
   solid.triangles = std::move(repaired.triangles);
   solid.thickness = 2 * scale * std::abs(repaired.report.volume) / repaired.report.area;
-  const TriangleTree tree(solid.positions, solid.triangles);
-  solid.box = tree.box();
+  solid.tree = std::make_shared<const TriangleTree>(solid.positions, solid.triangles);
+  solid.box = solid.tree->box();
   const double longest = solid.box.sizes().maxCoeff();
   solid.spacing = std::clamp(solid.thickness / kCellsAcross, longest / kMostCells, longest / kCells);
   solid.origin = solid.box.min() - kMargin * Vector3d::Constant(solid.spacing);
   for (int axis = 0; axis < 3; ++axis)
     solid.count[static_cast<std::size_t>(axis)] =
         static_cast<int>(std::ceil(solid.box.sizes()[axis] / solid.spacing)) + 2 * kMargin + 1;
-  measure(tree, solid);
+  measure(*solid.tree, solid);
   return solid;
 }
 
 ShapeDistance distance_to(const SolidMesh& solid, const Vector3d& point) {
-  const Vector3d place = (point - solid.origin) / solid.spacing;
-  const Vector3d last(solid.count[0] - 1.5, solid.count[1] - 1.5, solid.count[2] - 1.5);
-  const Vector3d clamped = place.cwiseMax(0.5).cwiseMin(last);
+  const auto [place, clamped, last] = place_in(solid, point);
   ShapeDistance at = within(solid, clamped.cwiseMin(last - Vector3d::Constant(1e-9)));
   const Vector3d away = solid.spacing * (place - clamped);
   if (away.isZero(0)) return at;
-  // The surface lies behind the side of the grid on which the clamped point is.
+  // The surface lies behind the side of the grid on which the clamped point is. Both distances are taken for square to
+  // each other; where the surface is straight behind, they add up, and the result is up to 1 - 1/sqrt(2) too short.
   const double distance = std::hypot(away.norm(), at.distance);
   const Vector3d along = away.unaryExpr([](double a) { return a == 0 ? 1.0 : 0.0; }).cwiseProduct(at.normal);
   return {distance, (away + at.distance * along) / distance, Matrix3d::Zero()};
+}
+
+double gap_to(const SolidMesh& solid, const Vector3d& point) {
+  const Place at = place_in(solid, point);
+  return at.point == at.clamped ? distance_to(solid, point).distance : solid.tree->nearest(point).distance;
 }
 
 }  // namespace fascia

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "sim/tool/shape_distance.h"
 
 namespace fascia {
+
+class TriangleTree;
 
 struct SolidMesh {
   std::vector<Eigen::Vector3d> positions;  // [m]
@@ -21,6 +24,8 @@ struct SolidMesh {
   double spacing = 0;               // [m]
   std::array<int, 3> count{};       // nodes along each axis
   std::vector<float> distances;     // [nodes] x first, then y, then z [m]; negative inside
+
+  std::shared_ptr<const TriangleTree> tree;  // over the triangles
 };
 
 /// From the surface of a file, whose coordinates are multiplied by `scale`. The grid has 64 cells along the longest
@@ -31,5 +36,8 @@ SolidMesh solid_of(const SurfaceMesh& surface, double scale, const std::string& 
 /// its gradients have no jumps, at which iterations would take steps back. It rounds edges by about a cell. Outside the
 /// grid a lower bound.
 ShapeDistance distance_to(const SolidMesh& solid, const Eigen::Vector3d& point);
+/// The distance for reports [m]: that of the grid inside of it, which presses, and beyond it that to the nearest
+/// triangle.
+double gap_to(const SolidMesh& solid, const Eigen::Vector3d& point);
 
 }  // namespace fascia

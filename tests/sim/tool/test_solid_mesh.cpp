@@ -66,6 +66,35 @@ TEST_CASE("gradients and curvatures of a mesh are those of its distance", "[tool
   CHECK(worst < 1.0 * solid.spacing);
 }
 
+TEST_CASE("the distance for reports is exact beyond the grid", "[tool]") {
+  const Vector3d size(0.1, 0.05, 0.07);
+  const SolidMesh solid = solid_of(test::make_box_surface(size), 1, "box.obj");
+  const ToolShape box = BoxShape{size / 2, size / 2, 0};
+  test::Random random(3);
+  double worst_near = 0, worst_far = 0, shortest = 1;
+  for (int sample = 0; sample < 2000; ++sample) {
+    const Vector3d x = size / 2 + 0.3 * random.vector();
+    const double exact = distance_to(box, x).distance, gap = gap_to(solid, x);
+    if (exact < 0) continue;
+    double& worst = exact < 4 * std::sqrt(3) * solid.spacing ? worst_near : worst_far;  // the grid's corners
+    worst = std::max(worst, std::abs(gap - exact));
+    shortest = std::min(shortest, distance_to(solid, x).distance / exact);
+  }
+  CAPTURE(worst_near, worst_far, shortest);
+  CHECK(worst_near < solid.spacing);
+  CHECK(worst_far < 1e-12);
+  CHECK(shortest < 0.8);  // what presses has a lower bound there
+  // From the surface outward there is no jump beyond the grid's own error.
+  for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(1, 2, 0.5).normalized().eval()})
+    for (int step = 0; step <= 60; ++step) {
+      const Vector3d x = size / 2 + (1 + 0.1 * step) * 0.5 * size.x() * along;
+      const double exact = distance_to(box, x).distance;
+      if (exact < 0) continue;
+      CAPTURE(along.transpose(), exact, gap_to(solid, x));
+      CHECK(std::abs(gap_to(solid, x) - exact) < (exact < 4 * std::sqrt(3) * solid.spacing ? solid.spacing : 1e-12));
+    }
+}
+
 TEST_CASE("a thin plate has a finer grid, and open surfaces are refused in one line", "[tool]") {
   const SolidMesh plate = solid_of(test::make_box_surface({0.1, 0.004, 0.05}), 1, "plate.obj");
   CHECK(plate.spacing == Approx(0.1 / 104).epsilon(0.2));
