@@ -1,4 +1,5 @@
 // fascia refine: proposes elements, mesh, integrator, substeps and iterations for a wanted error in a wanted time.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -6,6 +7,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
 #include "app/commands/command.h"
+#include "app/refine/choice.h"
+#include "app/refine/confirmed_plan.h"
 #include "app/refine/trial_run.h"
 #include "app/session/graphics.h"
 #include "app/session/open_input.h"
@@ -50,29 +53,27 @@ void add_quantity(CLI::App& command, const std::string& name, double& field, con
 std::string percent(double share) { return number(100 * share) + " %"; }
 
 std::string describe(const Proposal& p, const Scene& scene) {
-  const Body& body = scene.bodies.front();
   std::string text = "  " + std::to_string(std::lround(p.tets)) + ' ' + name_of(p.elements) + " tets (edges " +
                      number(1 / p.refinement) + " times as long), " + name_of(p.integrator) + ", " +
                      plural(static_cast<std::size_t>(p.substeps), "substep") + ", " +
                      plural(static_cast<std::size_t>(p.iterations), "iteration") + "\n  error " + percent(p.error()) +
                      ": mesh " + percent(p.mesh) + ", time " + percent(p.time) + ", solver " + percent(p.solver) +
                      "; " + number(p.ms) + " ms a step\n ";
-  text += std::string(" --set elements=") + name_of(p.elements) + " --set solver.integrator=" + name_of(p.integrator) +
-          " --set solver.substeps=" + std::to_string(p.substeps) +
-          " --set solver.iterations=" + std::to_string(p.iterations);
-  if (body.resolution)
-    text += " --set resolution=" + std::to_string(std::lround(*body.resolution * p.refinement));
-  else if (std::abs(p.refinement - 1) > 1e-9)
-    text += "\n  and a mesh with that many tets";
+  for (const std::string& set : sets_of(p, scene)) text += " --set " + set;
+  if (p.other_mesh) {
+    if (!has_resolution(scene)) text += "\n  and a mesh with that many tets";
+    text += "\n  extrapolated from a mesh of " + plural(p.from_tets, "tet") + ": no run had this one";
+  }
   return text + '\n';
 }
 
-/// What is proposed, if no trial has its substeps.
-std::optional<Proposal> unmeasured(const Plan& plan, const std::vector<Trial>& trials) {
-  for (const std::optional<Proposal>& choice :
-       {plan.within, plan.within ? std::nullopt : plan.exact, plan.within ? std::nullopt : plan.fast})
-    if (choice && !measured(*choice, trials)) return choice;
-  return std::nullopt;
+/// Bodies whose mesh is the same in every choice.
+std::string note_of_kept(const Scene& scene) {
+  std::vector<std::string> kept;
+  for (const Body& body : scene.bodies)
+    if (!body.resolution) kept.push_back(body.name);
+  if (kept.empty() || !has_resolution(scene)) return "";
+  return "without a resolution, with the mesh that they have: " + join(kept);
 }
 
 int run_refine(const RefineOptions& options) {
@@ -90,15 +91,21 @@ int run_refine(const RefineOptions& options) {
   const auto say = [&](const std::string& line) {
     if (!options.quiet) std::cerr << "fascia: " << line << '\n';
   };
-  std::vector<Trial> trials = run_trials(opened.scene, *graphics.programs, steps, say);
+  const auto open = [&](const std::vector<std::string>& sets) {
+    CommonOptions again = options;
+    again.quiet = true;
+    again.sets.insert(again.sets.end(), sets.begin(), sets.end());
+    Opened chosen = open_input(again, again.sets);
+    return OpenedScene{std::move(chosen.scene), std::move(chosen.model)};
+  };
+  const TrialRuns runs{opened.scene, open, *graphics.programs, steps, say};
+  if (const std::string note = note_of_kept(opened.scene); !note.empty()) say(note);
+  std::vector<Trial> trials = run_trials(runs);
   if (interrupted()) return exit_interrupted;
-  Plan plan = plan_for(trials, options.error, options.frame_ms);
-  // Errors of long steps do not yet follow the integrator's order.
-  while (const std::optional<Proposal> choice = unmeasured(plan, trials)) {
-    trials.push_back(run_trial(opened.scene, *graphics.programs, steps, *choice, say));
-    if (interrupted()) return exit_interrupted;
-    plan = plan_for(trials, options.error, options.frame_ms);
-  }
+  const Plan plan = confirmed_plan(
+      trials, options.error, options.frame_ms, {refinements_of(opened.scene), has_resolution(opened.scene)},
+      [&](const Proposal& choice, const Trial* alike) { return run_trial(runs, choice, alike); });
+  if (interrupted()) return exit_interrupted;
   const std::string wanted = percent(options.error) + " in " + number(options.frame_ms) + " ms";
   if (plan.within) {
     std::cout << "for " << wanted << " a step:\n" << describe(*plan.within, opened.scene);
@@ -107,9 +114,15 @@ int run_refine(const RefineOptions& options) {
     if (plan.exact) std::cout << "for the error:\n" << describe(*plan.exact, opened.scene);
     if (plan.fast) std::cout << "for the time:\n" << describe(*plan.fast, opened.scene);
   }
-  std::cout << "estimates from " << plural(static_cast<std::size_t>(steps), "step")
-            << " on this machine, with the substeps proposed; assumed: the error of the mesh falls with the square of "
-               "the edges, the time of a step grows with tets and what an iteration adds; the errors add up\n";
+  const std::vector<std::optional<Proposal>> printed =
+      plan.within ? std::vector{plan.within} : std::vector{plan.exact, plan.fast};
+  const bool all_measured =
+      std::all_of(printed.begin(), printed.end(), [](const std::optional<Proposal>& p) { return !p || p->measured; });
+  std::cout << "estimates from " << plural(static_cast<std::size_t>(steps), "step") << " on this machine, with "
+            << (all_measured ? "the choice proposed; assumed: "
+                             : "the substeps proposed; assumed: the error of the mesh falls with the square of the "
+                               "edges, the time of a step grows with tets and what an iteration adds; ")
+            << "the errors add up\n";
   return plan.within ? exit_done : exit_failed;
 }
 

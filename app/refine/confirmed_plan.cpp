@@ -1,0 +1,52 @@
+#include "app/refine/confirmed_plan.h"
+
+#include <algorithm>
+
+#include "base/interrupt.h"
+
+namespace fascia {
+namespace {
+
+double most_tets(const std::vector<Trial>& trials) {
+  std::size_t most = 0;
+  for (const Trial& trial : trials) most = std::max(most, trial.tets);
+  return static_cast<double>(most);
+}
+
+const Trial* alike(const Proposal& choice, const std::vector<Trial>& trials) {
+  const auto found = std::find_if(trials.begin(), trials.end(), [&](const Trial& trial) {
+    Proposal own = choice;
+    own.iterations = trial.many;
+    return measured(own, {trial});
+  });
+  return found == trials.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes meshes, const RunChoice& run) {
+  const double limit = kMostGrowth * most_tets(trials);
+  // What is run for a choice.
+  const auto trial_for = [&](Proposal choice) {
+    const bool in_time = choice.ms <= ms;
+    if (!meshes.can_be_made || (!in_time && choice.tets > std::max(limit, most_tets(trials)))) choice.refinement = 1;
+    return choice;
+  };
+  const auto confirmed = [&](const Proposal& choice) { return measured(trial_for(choice), trials); };
+  for (int runs = 0; runs < kMostRuns; ++runs) {
+    const Plan plan = plan_for(trials, error, ms, meshes.refinements);
+    std::vector<std::optional<Proposal>> proposals{plan.exact, plan.fast};
+    if (plan.within) proposals = {plan.within};
+    const auto open = std::find_if(proposals.begin(), proposals.end(),
+                                   [&](const auto& choice) { return choice && !confirmed(*choice); });
+    if (open == proposals.end() || interrupted()) return plan;
+    const Proposal choice = trial_for(**open);
+    if (const std::optional<Trial> trial = run(choice, alike(choice, trials)))
+      trials.push_back(*trial);
+    else
+      std::erase(meshes.refinements, choice.refinement);
+  }
+  return plan_for(trials, error, ms, meshes.refinements, confirmed);
+}
+
+}  // namespace fascia

@@ -1,0 +1,29 @@
+// A plan whose proposals have been run: what a mesh does to contact, to vibrations and to the solver does not follow
+// from another mesh.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "app/refine/plan.h"
+
+namespace fascia {
+
+struct Meshes {
+  std::vector<double> refinements = usual_refinements();
+  bool can_be_made = false;  // false: trials have the mesh at hand only
+};
+
+/// Runs a choice. `alike`: a trial that differs in its iterations only, or null. None: the choice cannot be run.
+using RunChoice = std::function<std::optional<Trial>(const Proposal& choice, const Trial* alike)>;
+
+/// Adds trials of what the plan for the first ones proposes, until every proposal is one of them: the choice within
+/// error and time, or else both of the others. One for the error alone is run on its mesh only where that has at most
+/// kMostGrowth times the tets of the first trials, or no more than another trial; beyond, as for meshes that cannot be
+/// made, with its other choices on the mesh at hand. After kMostRuns it is the plan of those that were run. Ends early
+/// when interrupted() becomes true. Throws what `run` throws.
+Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes meshes, const RunChoice& run);
+constexpr double kMostGrowth = 8;
+constexpr int kMostRuns = 16;
+
+}  // namespace fascia
