@@ -7,10 +7,13 @@
 namespace fascia {
 namespace {
 
-double most_tets(const std::vector<Trial>& trials) {
-  std::size_t most = 0;
-  for (const Trial& trial : trials) most = std::max(most, trial.tets);
-  return static_cast<double>(most);
+/// The finest mesh that a choice for the error alone is run on.
+double finest_run(const std::vector<double>& refinements, const std::vector<Trial>& trials) {
+  double finest = 1;
+  for (const double refinement : refinements)
+    if (refinement < 1.001 * kFinestRun) finest = std::max(finest, refinement);
+  for (const Trial& trial : trials) finest = std::max(finest, trial.refinement);
+  return finest;
 }
 
 const Trial* alike(const Proposal& choice, const std::vector<Trial>& trials) {
@@ -25,11 +28,12 @@ const Trial* alike(const Proposal& choice, const std::vector<Trial>& trials) {
 }  // namespace
 
 Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes meshes, const RunChoice& run) {
-  const double limit = kMostGrowth * most_tets(trials);
   // What is run for a choice.
   const auto trial_for = [&](Proposal choice) {
-    const bool in_time = choice.ms <= ms;
-    if (!meshes.can_be_made || (!in_time && choice.tets > std::max(limit, most_tets(trials)))) choice.refinement = 1;
+    if (!meshes.can_be_made)
+      choice.refinement = 1;
+    else if (choice.ms > ms)
+      choice.refinement = std::min(choice.refinement, finest_run(meshes.refinements, trials));
     return choice;
   };
   const auto confirmed = [&](const Proposal& choice) { return measured(trial_for(choice), trials); };

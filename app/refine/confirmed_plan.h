@@ -18,12 +18,12 @@ struct Meshes {
 using RunChoice = std::function<std::optional<Trial>(const Proposal& choice, const Trial* alike)>;
 
 /// Adds trials of what the plan for the first ones proposes, until every proposal is one of them: the choice within
-/// error and time, or else both of the others. One for the error alone is run on its mesh only where that has at most
-/// kMostGrowth times the tets of the first trials, or no more than another trial; beyond, as for meshes that cannot be
-/// made, with its other choices on the mesh at hand. After kMostRuns it is the plan of those that were run. Ends early
-/// when interrupted() becomes true. Throws what `run` throws.
+/// error and time, or else both of the others. A choice for the error alone may take any time: where its mesh is finer
+/// than kFinestRun and than those of all trials, the finest one that is not is run with its other choices, and the
+/// proposal follows from that. Meshes that cannot be made are replaced by the one at hand in the same way. After
+/// kMostRuns it is the plan of what was run. Ends early when interrupted() becomes true. Throws what `run` throws.
 Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes meshes, const RunChoice& run);
-constexpr double kMostGrowth = 8;
+constexpr double kFinestRun = 2;  // refinement: eight times the tets of the mesh at hand
 constexpr int kMostRuns = 16;
 
 }  // namespace fascia
