@@ -1,5 +1,6 @@
 // Ends a stage at every listed point: the forces of its rows, which are read out, and the multipliers that the next
-// stage starts with.
+// stage starts with. Friction counts on from where rounding has left the point on what stands still: from where it was
+// carried, a body at rest would creep by the rounding of each step.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "sim/contact/point.glsl"
@@ -37,8 +38,8 @@ void main() {
 #if PAIRS
   if (i >= points) {
     uint pair = i - points, row = row_of_pair(pair);
-    Row r = where_moved(row_of(pair, u, contact_memory_now[row]), row);
-    contact_memory_now[row] = vec4(within(r.across, friction_of_pair(pair) * r.pressing), r.pressing);
+    Row here = row_of(pair, u, contact_memory_now[row]), r = where_moved(here, row);
+    contact_memory_now[row] = vec4(within(here.across, friction_of_pair(pair) * r.pressing), r.pressing);
     contact_force[i] = vec4(force_of(r), r.pressing);
     return;
   }
@@ -47,8 +48,9 @@ void main() {
   vec4 more = FETCH(contact_rest, 2u * i + 1u);
   for (uint near = FETCH1(contact_near, i); near != 0u; near &= near - 1u) {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
-    Row r = where_moved(row_at(piece, row, rest, more, u, contact_memory_now[row], contact_row[row]), row);
-    vec3 row_force = force_of(r), across = within(r.across, friction_of(piece) * r.pressing);
+    Row here = row_at(piece, row, rest, more, u, contact_memory_now[row], contact_row[row]), r = where_moved(here, row);
+    vec3 row_force = force_of(r), left = same(pose_at_start(piece), pose_at_end(piece)) ? here.across : r.across;
+    vec3 across = within(left, friction_of(piece) * r.pressing);
     contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);
     force += vec4(row_force, r.pressing);

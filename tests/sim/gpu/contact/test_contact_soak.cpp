@@ -85,6 +85,7 @@ void lie(double young_modulus, bool slope, int steps) {
           largest_force / weight.norm(), (mean + weight).norm() / weight.norm(), rounding,
           largest_energy / first.energy, largest_kinetic / first.energy);
   CHECK(farthest < 5e-7 * kSide);  // it moves to and fro by 2e-7, and no farther in 12,000 steps than in 2,000
+  CHECK((last.middle - first.middle).norm() < 2e-8 * kSide);
   CHECK(largest_force < 1e-5 * weight.norm() + rounding);
   CHECK((mean + weight).norm() < 1e-5 * weight.norm() + rounding);
   CHECK(largest_energy < 1e-4 * first.energy);
