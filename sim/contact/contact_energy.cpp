@@ -15,13 +15,12 @@ using Eigen::VectorXd;
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                              const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
                              std::vector<PairRow> pairs, const std::vector<Vector3d>& aim,
-                             const std::vector<double>& kept, const std::vector<std::uint32_t>& near)
+                             const std::vector<double>& kept)
     : model_(model),
       surface_(surface),
       pairs_(model, std::move(pairs), memory, surface.row_count),
       slots_(std::max<std::size_t>(memory.size(), surface.row_count)) {
   const bool remembers = memory.size() >= surface.row_count;
-  rows_.reserve(near.empty() ? surface.row_count : 0);
   for (std::uint32_t i = 0; i < surface.pieces.size(); ++i) {
     const ContactPiece& piece = surface.pieces[i];
     const Tool& tool = model.tools[piece.tool];
@@ -30,12 +29,12 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
                        motion.to[piece.tool].pose.origin, tool.friction});
     const RigidPose& after = pieces_.back().pose;
     for (std::uint32_t p = 0; p < piece.points; ++p) {
-      if (!near.empty() && !(near[p] >> i & 1)) continue;
+      if (stiffness[piece.first_row + p] == 0) continue;
       Row& row = rows_.emplace_back();
       row.piece = i;
       row.point = p;
       const Vector3d local = before.to_local(position(surface.points[p], start));
-      row.stiffness = piece.penalty * stiffness[p];
+      row.stiffness = stiffness[piece.first_row + p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
       row.bearing = remembers ? memory[piece.first_row + p].normal : 0;

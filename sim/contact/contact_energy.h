@@ -31,14 +31,13 @@ namespace fascia {
 
 class ContactEnergy {
  public:
-  /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: contact_stiffness(). A memory
+  /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: row_stiffness(). A memory
   /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. `aim`: displacements where
-  /// velocities lead, if any. `kept`: kept_shares(), or all of the forces. `near`: [point, or more] a bit for each
-  /// piece that the point has a row with; empty: with all. The first two outlive this object.
+  /// velocities lead, if any. `kept`: kept_shares(), or all of the forces. The first two outlive this object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
                 std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {},
-                const std::vector<double>& kept = {}, const std::vector<std::uint32_t>& near = {});
+                const std::vector<double>& kept = {});
 
   /// Planes that stand for pieces in the step (sim/tool/tool_entry.h), in the axes of the scene, by row of the memory.
   void take_planes(const std::function<std::optional<ToolEntry>(std::uint32_t row)>& plane_at);

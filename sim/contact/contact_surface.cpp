@@ -246,16 +246,22 @@ ContactSurface make_contact_surface(const Model& model) {
   const std::vector<Triangle> triangles = tissue_boundary(model);
   const double longest = longest_edge(model, triangles);
   surface.full_slip = kFullSlip * mean_edge(model, triangles);
-  std::vector<int> levels;
+  surface.edge_width = longest;
+  const auto level_for = [&](double radius, int finest) {
+    int level = 0;
+    while (level < finest && longest / (1 << level) > radius / 2) ++level;
+    return level;
+  };
+  std::vector<int> levels, edge_levels;
+  int finest = 0;
   for (const Tool& tool : model.tools) {
     const double radius = finest_radius(tool.shape);
-    int level = 0;
-    while (level < ContactSurface::kFinestLevel && longest / (1 << level) > radius / 2) ++level;
+    const int level = levels.emplace_back(level_for(radius, ContactSurface::kFinestLevel));
     const double spacing = longest / (1 << level);
     if (spacing > 2 * radius) surface.notes.push_back(note_on(tool, spacing, radius));
-    levels.push_back(level);
+    const int of_edges = level_for(sharpest_edge(tool.shape), ContactSurface::kFinestLevelOfEdges);
+    finest = std::max(finest, edge_levels.emplace_back(std::max(level, of_edges)));
   }
-  const int finest = *std::max_element(levels.begin(), levels.end());
   const std::vector<TissueEdge> edges = finest > 0 ? tissue_edges(model, triangles) : std::vector<TissueEdge>();
   PointList list(model, surface.points);
   std::array<std::uint32_t, ContactSurface::kFinestLevel + 1> count{};
@@ -268,12 +274,18 @@ ContactSurface make_contact_surface(const Model& model) {
   }
   for (std::uint32_t t = 0; t < model.tools.size(); ++t)
     for (std::uint32_t piece = 0; piece < model.tools[t].piece_count(); ++piece) {
-      const std::uint32_t points = count[static_cast<std::size_t>(levels[t])];
-      surface.pieces.push_back(
-          {t, piece, levels[t], points, surface.row_count, model.tools[t].has_jaws ? kPenaltyOfJaws : 1});
+      const std::uint32_t everywhere = count[static_cast<std::size_t>(levels[t])],
+                          points = count[static_cast<std::size_t>(edge_levels[t])];
+      surface.pieces.push_back({t, piece, edge_levels[t], points, everywhere, surface.row_count});
       surface.row_count += points;
     }
   return surface;
+}
+
+bool has_row(const ContactSurface& surface, const ContactPiece& piece, std::uint32_t point, const ToolShape& shape,
+             const Vector3d& x, const RigidPose& from, const RigidPose& to, double before) {
+  return point < piece.everywhere || before > 0 || near_edge(shape, from.to_local(x), surface.edge_width) ||
+         near_edge(shape, to.to_local(x), surface.edge_width);
 }
 
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface) {

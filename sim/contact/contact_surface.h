@@ -2,7 +2,8 @@
 //
 // Faces of the boundary are split into 4^L equal triangles, whose corners are the points of level L: level 0 has the
 // vertices, and every level contains the ones below. A tool uses the level at which points are at most half of its
-// finest radius apart, since a thin tool would pass between vertices.
+// finest radius apart, since a thin tool would pass between vertices. Around its edges it has more of them: an edge
+// that lies between points is in the tissue, which then cannot slide out from under it.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "sim/model/model.h"
 #include "sim/model/state.h"
+#include "sim/tool/rigid_pose.h"
 
 namespace fascia {
 
@@ -27,20 +29,19 @@ struct ContactPoint {
 struct ContactPiece {
   std::uint32_t tool, piece;  // in Model::tools, and in that tool
   int level;
-  std::uint32_t points;     // the first ones of ContactSurface::points
-  std::uint32_t first_row;  // in ContactMemory of a state
-  double penalty = 1;       // of its points, as a share of contact_stiffness()
+  std::uint32_t points;      // the first ones of ContactSurface::points
+  std::uint32_t everywhere;  // the first ones of these; the others have a row near edges of the piece only
+  std::uint32_t first_row;   // in ContactMemory of a state
 };
-/// That of jaws: what two of them squeeze is stiff on both sides, and ten iterations let it go.
-inline constexpr double kPenaltyOfJaws = 0.1;
 
 struct ContactSurface {
-  static constexpr int kFinestLevel = 3;
+  static constexpr int kFinestLevel = 3, kFinestLevelOfEdges = 2;
   static constexpr std::size_t kMostPieces = 32;  // bits of the mask of a point on the GPU
 
   std::vector<ContactPoint> points;  // level by level; none where all corners are held
   std::vector<ContactPiece> pieces;
   std::uint32_t row_count = 0;
+  double edge_width = 0;           // [m] how far from edges of pieces all of their points have rows
   double full_slip = 0;            // [m] after which any point bears all of its friction (contact_block.h)
   std::vector<std::string> notes;  // tools that are too thin for the surface, one line each
 
@@ -50,6 +51,11 @@ struct ContactSurface {
 /// The penalty on depth, over the stiffness (lambda + 2 mu) A / l of the tissue below. In single steps 1 and 100 do as
 /// well; in motion a softer one lets tools sink in deeper, and a harder one makes every first touch an impact.
 inline constexpr double kContactPenalty = 10;
+
+/// Whether a point of a piece has a row in a stage: those everywhere do, and what is near an edge, or bore a force
+/// `before` [N]. `x`: at the start of the stage.
+bool has_row(const ContactSurface& surface, const ContactPiece& piece, std::uint32_t point, const ToolShape& shape,
+             const Eigen::Vector3d& x, const RigidPose& from, const RigidPose& to, double before);
 
 /// Without points if the model has no tools.
 ContactSurface make_contact_surface(const Model& model);

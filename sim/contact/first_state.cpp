@@ -6,6 +6,7 @@
 
 #include "sim/contact/contact_block.h"
 #include "sim/contact/contact_surface.h"
+#include "sim/contact/row_stiffness.h"
 #include "sim/model/model.h"
 #include "sim/model/unconstrained_parts.h"
 #include "sim/tool/shape_distance.h"
@@ -22,8 +23,8 @@ constexpr double kLeaving = 1e-6;      // of the speed of a point: away from wha
 
 struct Support {
   std::size_t row;
-  RigidMotion lift;  // way along the tool's normal by a motion
-  double stiffness;  // [N/m]
+  RigidMotion lift;      // way along the tool's normal by a motion
+  double stiffness = 0;  // [N/m]
 };
 
 struct LyingBody {
@@ -88,13 +89,13 @@ State first_state(const Model& model) {
     body.size = std::max(body.size, (model.rest_positions[v] - body.center).norm());
   }
 
-  const std::vector<double> stiffness = contact_stiffness(model, surface);
+  ContactMemory touches(surface.row_count);  // with equal forces
   const ToolMotion motion = motion_on_paths(model.tools, 0, 0);
   const double touching = kTouchingGap * surface.full_slip / kFullSlip;
   for (const ContactPiece& piece : surface.pieces) {
     const Tool& tool = model.tools[piece.tool];
     const RigidPose pose = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
-    for (std::size_t p = 0; p < piece.points; ++p) {
+    for (std::uint32_t p = 0; p < piece.points; ++p) {
       const ContactPoint& point = surface.points[p];
       const std::uint32_t part = free.part[point.vertices[0]];
       if (part == 0) continue;
@@ -103,6 +104,7 @@ State first_state(const Model& model) {
         x += point.weights[k] * model.rest_positions[point.vertices[k]];
         velocity += point.weights[k] * state.velocity[point.vertices[k]];
       }
+      if (!has_row(surface, piece, p, tool.shape, x, pose, pose, 0)) continue;
       const ShapeDistance distance = distance_to(tool.shape, pose.to_local(x));
       const double gap = distance.distance - 0.5 * model.contact.thickness;
       LyingBody& body = bodies[part];
@@ -111,12 +113,16 @@ State first_state(const Model& model) {
       if (gap > touching || velocity.dot(normal) > kLeaving * velocity.norm()) continue;
       RigidMotion lift;
       lift << normal, (x - body.center).cross(normal) / body.size;
-      body.supports.push_back({piece.first_row + p, lift, stiffness[p]});
+      body.supports.push_back({piece.first_row + p, lift});
+      touches[piece.first_row + p].normal = 1;
     }
   }
 
-  for (const LyingBody& body : bodies) {
+  const std::vector<double> stiffness = row_stiffness(model, surface, contact_stiffness(model, surface), touches,
+                                                      motion, state.displacement, state.displacement);
+  for (LyingBody& body : bodies) {
     if (body.deep || body.supports.empty()) continue;
+    for (Support& support : body.supports) support.stiffness = stiffness[support.row];
     const std::vector<double> forces = carrying(body, model.gravity);
     state.contact.resize(surface.row_count);
     for (std::size_t i = 0; i < forces.size(); ++i) state.contact[body.supports[i].row].normal = forces[i];

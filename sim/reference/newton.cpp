@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "sim/contact/contact_energy.h"
 #include "sim/contact/pair_search.h"
+#include "sim/contact/row_stiffness.h"
 #include "sim/contact/step_loads.h"
 #include "sim/model/prescribed_motion.h"
 #include "sim/model/unconstrained_parts.h"
@@ -80,9 +81,12 @@ struct NewtonSolver::Impl {
                                                     double time = 0) {
     memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
-    std::vector<Vector3d> path = end;
+    std::vector<Vector3d> path = end, ahead = end;
+    for (std::size_t v = 0; stage && v < ahead.size(); ++v)
+      if (falls[v]) ahead[v] -= fall_in(*stage);
+    rows = row_stiffness(model, contact, stiffness, memory, motion, as_vectors(start), ahead);
     if (!stage)
-      return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
+      return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion,
                                              pairs.find(as_vectors(start), end, before));
     if (!pairs.empty()) {
       const std::vector<char> carried = pairs.carried(before);
@@ -90,17 +94,15 @@ struct NewtonSolver::Impl {
         if (falls[v] && carried[v]) path[v] -= fall_in(*stage);
     }
     if (kept_in != stage->length) kept = kept_shares(model, contact, stiffness, kept_in = stage->length);
-    return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion,
+    return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion,
                                            pairs.find(as_vectors(start), path, before, stage->length, time), end, kept);
   }
   /// After pairs.misses().
-  std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const std::vector<double>& stiffness,
-                                                     const ToolMotion& motion, const std::vector<Vector3d>& aim,
-                                                     ContactMemory& memory) {
-    std::vector<PairRow> rows = pairs.find_again();
-    for (const PairRow& row : rows) memory[contact.row_count + force_row(row.slot)].normal = row.before;
-    return std::make_shared<ContactEnergy>(model, contact, stiffness, memory, start, motion, std::move(rows), aim,
-                                           kept);
+  std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const ToolMotion& motion,
+                                                     const std::vector<Vector3d>& aim, ContactMemory& memory) {
+    std::vector<PairRow> found = pairs.find_again();
+    for (const PairRow& row : found) memory[contact.row_count + force_row(row.slot)].normal = row.before;
+    return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion, std::move(found), aim, kept);
   }
   Vector3d fall_in(const IntegratorStage& stage) const { return stage.duration * stage.duration * model.gravity; }
   void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
@@ -142,6 +144,7 @@ struct NewtonSolver::Impl {
   const double size;               // of the tissue [m]
   const ContactSurface contact;
   const std::vector<double> penalty;  // [contact.points] [N/m]
+  std::vector<double> rows;           // row_stiffness() of the last contact_from()
   PairSearch pairs;
   std::vector<char> falls;   // [vertex] in unconstrained parts
   std::vector<double> kept;  // [point] in stages of the length `kept_in` [s]
@@ -231,7 +234,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   }
   int again = 0;
   for (; again < PairSearch::kMostSearches && pairs.misses(as_vectors(u)); ++again) {
-    potential.contact = contact_again(old, penalty, motion, aim, state.contact);
+    potential.contact = contact_again(old, motion, aim, state.contact);
     report.go_on(minimizer.minimize(potential, step_tolerance, {last_patience, false, stop}, u));
   }
   state.earlier.displacement = std::exchange(state.displacement, as_vectors(u));

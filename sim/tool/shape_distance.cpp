@@ -100,6 +100,25 @@ double finest_radius(const ToolShape& shape) {
   return std::visit(Finest{}, shape);
 }
 
+double sharpest_edge(const ToolShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->round;
+  return std::holds_alternative<CylinderShape>(shape) ? 0 : std::numeric_limits<double>::infinity();
+}
+
+bool near_edge(const ToolShape& shape, const Vector3d& point, double width) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) {
+    const Vector3d beyond = (point - box->center).cwiseAbs() - box->half_size;
+    return (beyond.array() > -width).count() >= 2;
+  }
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) {
+    const Vector3d half = 0.5 * (cylinder->to - cylinder->from), local = point - cylinder->from - half;
+    const double height = local.dot(half.normalized());
+    const double across = (local - height * half.normalized()).norm();
+    return across - cylinder->radius > -width && std::abs(height) - half.norm() > -width;
+  }
+  return false;
+}
+
 Vector3d middle_of(const ToolShape& shape) {
   struct Middle {
     Vector3d operator()(const SphereShape& s) const { return s.center; }

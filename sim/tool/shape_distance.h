@@ -19,6 +19,10 @@ double gap_to(const ToolShape& shape, const Eigen::Vector3d& point);
 
 /// The radius [m] of the finest part of a shape that may press into tissue; infinite for a plane.
 double finest_radius(const ToolShape& shape);
+/// The radius [m] of the sharpest edge between flat faces, or of a rim; infinite without one. Meshes have none.
+double sharpest_edge(const ToolShape& shape);
+/// Whether a point in the axes of the shape is within about `width` [m] of such an edge, inside or outside.
+bool near_edge(const ToolShape& shape, const Eigen::Vector3d& point, double width);
 /// Middle of the shape, and the radius [m] of a ball around it that contains the shape; infinite for a plane.
 Eigen::Vector3d middle_of(const ToolShape& shape);
 double bounding_radius(const ToolShape& shape);

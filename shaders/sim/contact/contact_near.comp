@@ -5,6 +5,9 @@
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
+#if CROWDED
+#include "common/step.glsl"
+#endif
 INPUT_VEC4(ContactRest, contact_rest)              // [2 * points] point.glsl
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
@@ -12,10 +15,17 @@ INPUT_VEC4(ContactMemory, contact_memory)          // [rows] xyz t in the axes o
 OUTPUT(vec4, ContactBefore, contact_before)        // [rows] the memory at the start, for comparisons
 OUTPUT(uint, ContactNear, contact_near)            // [points] a bit for every piece that is near
 INOUT(uint, ContactCounts, contact_counts)         // [stretches] points of each stretch that are near; 0 before
-OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0; contact_start.comp
+OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] 0; with CROWDED w of near rows: the force before, or else less the expected one [N] (sim/contact/row_stiffness.h)
 OUTPUT(vec4, ContactForce, contact_force)          // [points] 0
 OUTPUT(vec4, ContactBlock, contact_block)          // [2 * points] 0
 uniform uint pieces;
+
+// As has_row() of sim/contact/contact_surface.h, of a point that did not press.
+bool has_row(uint piece, uint i, vec3 x) {
+  bool has = i < points_everywhere(piece);
+  if (!has) has = near_edge(piece, to_local(pose_at_start(piece), x)) || near_edge(piece, to_local(pose_at_end(piece), x));
+  return has;
+}
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -31,8 +41,17 @@ void main() {
     float d = distance_to(piece, to_local(pose_at_start(piece), x)).w;
     vec4 memory = FETCH(contact_memory, row);
     contact_before[row] = memory;
-    contact_anchor[row] = vec4(0.0);
-    if (memory.w > 0.0 || d - half_thickness(piece) < reach + reach_of(piece)) near |= 1u << piece;
+    float pressing = 0.0;
+    bool in_reach = d - half_thickness(piece) < reach + reach_of(piece);
+    if (memory.w > 0.0 || in_reach && has_row(piece, i, x)) {
+      near |= 1u << piece;
+#if CROWDED
+      vec3 ahead = x + way - SUBSTEP * SUBSTEP * GRAVITY;
+      float gap = distance_to(piece, to_local(pose_at_end(piece), ahead)).w - half_thickness(piece);
+      pressing = memory.w > 0.0 ? memory.w : min(0.0, FETCH(contact_rest, 2u * i).w * gap);
+#endif
+    }
+    contact_anchor[row] = vec4(0.0, 0.0, 0.0, pressing);
   } while (++piece < pieces);
   contact_near[i] = near;
   if (near != 0u) atomicAdd(contact_counts[i / uint(STRETCH)], 1u);

@@ -13,9 +13,8 @@ COMPUTE_1D
 INPUT_VEC4(ContactRest, contact_rest)              // [2 * points] point.glsl
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
-INPUT_VEC4(ContactMemory, contact_memory)          // [rows] w lambda [N]
 INPUT_UINT(ContactNear, contact_near)              // [points] a bit for every piece that is near
-OUTPUT(vec4, ContactAnchor, contact_anchor)        // [rows] of near rows, u with which points go with the piece [m], w c of friction [N/m]
+INOUT(vec4, ContactAnchor, contact_anchor)         // [rows] of near rows, u with which points go with the piece [m], w k [N/m]
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
 uniform uint bodies, points;
@@ -70,9 +69,8 @@ void main() {
     PiecePose end = pose_at_end(piece);
     // On a piece that stands still that is u at the start, to the last bit: rounded, it would be a small slip in each step.
     vec3 anchor = same(pose_at_start(piece), end) ? start : end.axes * local + end.origin - rest;
-    float penalty = FETCH(contact_rest, 2u * i).w * penalty_of(piece);
-    float sliding = max(STICKING * penalty, friction_of(piece) * FETCH(contact_memory, row).w / full_slip(piece));
-    contact_anchor[row] = vec4(anchor, sliding);
+    float penalty = contact_anchor[row].w;
+    contact_anchor[row].xyz = anchor;
     vec3 last = to_local(end, x + way), stay = to_local(end, x);
     float gap = d.w - half_thickness(piece);
     plane = plane_on(piece, end, local, last, gap);

@@ -1,6 +1,6 @@
 // Rigid pieces of tools: poses and signed distances (sim/tool/shape_distance.h). The defines CAPSULES, BOXES, PLANES,
 // CYLINDERS and MESHES say which shapes there are; a sphere is a capsule without a length.
-#define PIECE_ROWS 13u
+#define PIECE_ROWS 14u
 #define MOST_PIECES 32u
 #define NO_PLANE 3e38
 INPUT_VEC4(ContactPieces, contact_pieces)  // [PIECE_ROWS * pieces]: sim/gpu/contact/contact_term.cpp
@@ -20,19 +20,20 @@ bool same(PiecePose a, PiecePose b) { return a.axes == b.axes && a.origin == b.o
 vec3 to_local(PiecePose pose, vec3 x) { return (x - pose.origin) * pose.axes; }
 
 float friction_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece).w; }
-float penalty_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 1u).w; }  // of its points, over contact_rest's
+float full_slip(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 1u).w; }  // [m] after which points bear all friction
 float reach_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 2u).w; }
 float half_thickness(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 3u).w; }
 float let_in(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 7u).w; }  // [m] by which iterations may start inside
 float finest_radius(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 10u).w; }
-float full_slip(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).x; }  // [m] after which points bear all friction
 // What float32 loses [m] of where the piece is at the end; of a distance beside it, with a local normal, by its sizes.
-vec3 lost_place(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).yzw; }
+vec3 lost_place(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 11u).xyz; }
 float lost_distance(uint piece, vec3 normal) {
   vec4 lost = FETCH(contact_pieces, PIECE_ROWS * piece + 12u);  // of half sizes, of the radius
   return -dot(abs(normal), lost.xyz) - lost.w;
 }
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
+uint points_everywhere(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 13u).x); }  // others near edges only
+float edge_width(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 13u).y; }             // [m] what near is
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 
 vec4 from_core(vec3 away, float radius) {
@@ -94,6 +95,26 @@ vec4 distance_to(uint piece, vec3 x) {
 #endif
 #if MESHES
   if (shape == 4.0) result = mesh_distance(a, b, x);
+#endif
+  return result;
+}
+
+// Whether a place in the axes of the piece is near one of its edges (sim/tool/shape_distance.h).
+bool near_edge(uint piece, vec3 x) {
+  float shape = FETCH(contact_pieces, PIECE_ROWS * piece + 4u).w, width = edge_width(piece);
+  vec4 a = FETCH(contact_pieces, PIECE_ROWS * piece + 8u), b = FETCH(contact_pieces, PIECE_ROWS * piece + 9u);
+  bool result = false;
+#if BOXES
+  if (shape == 1.0) {
+    bvec3 beyond = greaterThan(abs(x - a.xyz) - b.xyz - a.w, vec3(-width));
+    result = int(beyond.x) + int(beyond.y) + int(beyond.z) >= 2;
+  }
+#endif
+#if CYLINDERS
+  if (shape == 3.0) {
+    float height = dot(x - a.xyz, b.xyz), across = length(x - a.xyz - height * b.xyz);
+    result = across - a.w > -width && abs(height) - b.w > -width;
+  }
 #endif
   return result;
 }

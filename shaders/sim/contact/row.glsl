@@ -12,7 +12,7 @@ struct Row {
 };
 
 // `rest`, `more`: of contact_rest; `memory`: xyz t in the axes of the piece, w the force of the stage before; `anchor`: the u
-// with which the point would go where the piece goes, w c.
+// with which the point would go where the piece goes, w k.
 Row row_at(uint piece, uint row, vec4 rest, vec4 more, vec3 u, vec4 memory, vec4 anchor) {
   precise vec3 x = rest.xyz + u;
   precise vec3 lost = (rest.xyz - (x - (x - rest.xyz))) + (u - (x - rest.xyz)) + more.yzw;  // of the sum (Knuth 1969)
@@ -27,12 +27,12 @@ Row row_at(uint piece, uint row, vec4 rest, vec4 more, vec3 u, vec4 memory, vec4
   d.w += dot(d.xyz, lost);  // rounded places are off by more than what small stiff tissue lets in under its load
   Row r;
   r.before = more.x * memory.w;
-  r.penalty = rest.w * penalty_of(piece);
+  r.penalty = anchor.w;
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);
   r.normal = d.xyz;
   r.bound = friction_of(piece) * memory.w;
-  r.sliding = anchor.w;
+  r.sliding = max(STICKING * r.penalty, r.bound / full_slip(piece));
   vec3 q = pose.axes * memory.xyz - r.sliding * (u - anchor.xyz);
   r.across = r.bound > 0.0 ? q - dot(q, n0.xyz) * n0.xyz : vec3(0.0);
   return r;

@@ -53,6 +53,7 @@ gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char*
   if (grids_) more.emplace_back("contact_grid", &grids_);
   gl::Defines with_stretch = defines();
   with_stretch.emplace_back("STRETCH", std::to_string(kStretch));
+  with_stretch.emplace_back("CROWDED", crowds_ ? "1" : "0");
   gl::ComputePass pass(programs.compute(kernel, with_stretch), std::move(more), point_count(),
                        {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())}});
   pass.loops(loops_of_point());
@@ -104,16 +105,17 @@ EnergyTerm::Passes ContactTerm::over_touched(gl::ProgramCache& programs, const c
 EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffers& buffers) const {
   const gl::ComputePass::Bindings places{{"start_displacement", &buffers.start_of_stage()},
                                          {"displacement", &buffers.displacement},
-                                         {"contact_memory", &buffers.contact_memory},
                                          {"contact_near", &near_}};
   Passes passes;
   if (!surface_.empty()) {
     gl::ComputePass::Bindings bindings = places;
-    bindings.insert(bindings.end(), {{"contact_before", &buffers.contact_before},
+    bindings.insert(bindings.end(), {{"contact_memory", &buffers.contact_memory},
+                                     {"contact_before", &buffers.contact_before},
                                      {"contact_counts", &counts_},
                                      {"contact_anchor", &rows_},
                                      {"contact_force", &forces_},
                                      {"contact_block", &blocks_}});
+    if (crowds_) bindings.emplace_back("step", &buffers.step);
     passes.push_back(over_points(programs, "sim/contact/contact_near.comp", std::move(bindings)));
   }
   passes
@@ -130,22 +132,36 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                     {"contact_near", &near_},     {"contact_end", &end_},
                                     {"contact_counts", &counts_}, {"contact_list", &list_}};
   if (sums_) touched.emplace_back("contact_sums", &sums_);
+  gl::Defines counting = defines_of_shapes({});
+  counting.emplace_back("CROWDED", crowds_ ? "1" : "0");
+  if (crowds_)
+    touched.insert(touched.end(),
+                   {{"contact_pieces", &pieces_}, {"contact_anchor", &rows_}, {"contact_crowds", &crowds_}});
   passes
-      .emplace_back(programs.compute("sim/contact/contact_touched.comp"), std::move(touched), buffers.vertex_count,
+      .emplace_back(programs.compute("sim/contact/contact_touched.comp", counting), std::move(touched),
+                    buffers.vertex_count,
                     gl::ComputePass::Constants{
                         {"touched_list", touched_list()}, {"few_list", few_list()}, {"stretches", stretches()}})
-      .loops(most_entries_ + 5);
+      .loops((most_entries_ + 1) * (crowds_ ? static_cast<std::uint32_t>(surface_.pieces.size()) + 1 : 1) + 5);
   if (surface_.empty()) return passes;
   gl::ComputePass::Bindings listed = places;
-  listed.insert(listed.end(), {{"step", &buffers.step}, {"contact_bodies", &starts_.bodies()}});
-  passes.push_back(start_of_near(programs, "sim/contact/contact_support.comp", listed));
-  listed.insert(listed.end(), {{"contact_anchor", &rows_}, {"contact_normal_now", &normals_}});
-  passes.push_back(start_of_near(programs, "sim/contact/contact_start.comp", std::move(listed)));
+  listed.insert(listed.end(),
+                {{"step", &buffers.step}, {"contact_bodies", &starts_.bodies()}, {"contact_anchor", &rows_}});
+  gl::ComputePass::Bindings support = listed;
+  gl::ComputePass::Constants constants;
+  support.emplace_back("contact_memory", &buffers.contact_memory);
+  if (crowds_) {
+    support.emplace_back("contact_crowds", &crowds_);
+    constants.emplace_back("vertex_count", buffers.vertex_count);
+  }
+  passes.push_back(start_of_near(programs, "sim/contact/contact_support.comp", std::move(support), constants));
+  listed.emplace_back("contact_normal_now", &normals_);
+  passes.push_back(start_of_near(programs, "sim/contact/contact_start.comp", std::move(listed), {}));
   return passes;
 }
 
 gl::ComputePass ContactTerm::start_of_near(gl::ProgramCache& programs, const char* kernel,
-                                           gl::ComputePass::Bindings more) const {
+                                           gl::ComputePass::Bindings more, gl::ComputePass::Constants constants) const {
   more.insert(more.end(), {{"contact_pieces", &pieces_},
                            {"contact_vertices", &vertices_},
                            {"contact_weights", &weights_},
@@ -156,9 +172,12 @@ gl::ComputePass ContactTerm::start_of_near(gl::ProgramCache& programs, const cha
   listed.emplace_back("DEFERRED", "1");
   listed.emplace_back("ENTRY_STEPS", std::to_string(kEntrySteps));
   listed.emplace_back("STICKING", std::to_string(kStickingPenalty));
-  gl::ComputePass pass(
-      programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
+  listed.emplace_back("CROWDED", crowds_ ? "1" : "0");
+  constants.insert(
+      constants.end(),
       {{"deferred_list", 0}, {"deferred_begin", 4}, {"bodies", starts_.body_count()}, {"points", point_count()}});
+  gl::ComputePass pass(programs.compute(kernel, listed), std::move(more), point_count() + pairs_.slot_count(),
+                       std::move(constants));
   pass.loops((2 * kEntrySteps + 10) * loops_of_point());
   pass.set_indirect(list_, 0);
   return pass;

@@ -143,6 +143,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
   if (loads == gl::LoadPath::texel)
     sums_ = gl::Buffer("contact_sums", std::vector<vec4>(3 * std::size_t{buffers.vertex_count}));
+  if (crowded()) crowds_ = gl::Buffer("contact_crowds", sizeof(float) * buffers.vertex_count * surface_.pieces.size());
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(3 * kLoadLanes * surface_.pieces.size()));
   std::vector<std::uint32_t> first_vertices;
   for (std::uint32_t p = 0; p < point_count(); ++p) first_vertices.push_back(places_[p][0]);
@@ -164,6 +165,11 @@ double ContactTerm::way_of(const ToolMotion& motion) const {
                                                tool.pose_of_piece(piece.piece, motion.to[piece.tool])));
   }
   return farthest;
+}
+
+bool ContactTerm::crowded() const {
+  return std::any_of(surface_.pieces.begin(), surface_.pieces.end(),
+                     [](const ContactPiece& piece) { return piece.level > 0; });
 }
 
 std::uint32_t ContactTerm::stretches() const { return std::max(1u, (point_count() + kStretch - 1) / kStretch); }
@@ -243,15 +249,14 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
 void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads) {
   std::vector<vec4> at(buffers.vertex_count), from(at.size()), aim(at.size());
   std::vector<vec4> left(surface_.row_count + pairs_.row_count());
-  std::vector<std::uint32_t> near(point_count());
-  std::vector<vec4> normals(surface_.row_count);
+  std::vector<vec4> normals(surface_.row_count), rows(surface_.row_count);
   downloads.add(buffers.displacement, at.size() * sizeof(vec4), at.data());
   downloads.add(buffers.start_of_stage(), from.size() * sizeof(vec4), from.data());
   downloads.add(buffers.predicted, aim.size() * sizeof(vec4), aim.data());
   downloads.add(buffers.contact_before, left.size() * sizeof(vec4), left.data());
-  if (!near.empty()) {
-    downloads.add(near_, near.size() * sizeof(std::uint32_t), near.data());
+  if (!rows.empty()) {
     downloads.add(normals_, normals.size() * sizeof(vec4), normals.data());
+    downloads.add(rows_, rows.size() * sizeof(vec4), rows.data());
   }
   downloads.run();
   ContactMemory before = SimBuffers::contact_forces(left);
@@ -259,9 +264,11 @@ void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, g
   const auto flat = [](const std::vector<Vector3d>& vectors) -> Eigen::VectorXd {
     return Eigen::Map<const Eigen::VectorXd>(vectors.data()->data(), 3 * static_cast<Eigen::Index>(vectors.size()));
   };
-  ContactEnergy energy(model_, surface_, stiffness_, before, flat(buffers.vectors_of(from)), motion_, pairs_.rows(), {},
-                       kept_, near);
-  if (!near.empty())
+  std::vector<double> stiffness;
+  for (const vec4& row : rows) stiffness.push_back(row.w);
+  ContactEnergy energy(model_, surface_, stiffness, before, flat(buffers.vectors_of(from)), motion_, pairs_.rows(), {},
+                       kept_);
+  if (!rows.empty())
     energy.take_planes([&](std::uint32_t row) -> std::optional<ToolEntry> {
       const vec4& plane = normals[row];
       if (plane.w == kNoPlane) return std::nullopt;
@@ -308,14 +315,15 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     }
     const PieceRows shape = piece_rows_of(placed, first_nodes_[piece.tool]);
     const double reach = farthest_way(placed, before, after) + margin_;
-    add(rows, after, tool.friction, piece.penalty, reach, half_thickness_);
+    add(rows, after, tool.friction, surface_.full_slip, reach, half_thickness_);
     add(rows, before, shape.kind, piece.first_row, piece.points, let_in_);
     rows.push_back(shape.a);
     rows.push_back(shape.b);
     rows.push_back(row_of(to.pose.origin - origin_, std::min(finest_radius(tool.shape), 1e30)));
     const Vector3d lost = rounding_of(after.origin) + after.axes * shape.lost_place;
-    rows.push_back(row_of({surface_.full_slip, lost.x(), lost.y()}, lost.z()));
+    rows.push_back(row_of(lost));
     rows.push_back(row_of(shape.lost_half, shape.lost_radius));
+    rows.push_back(row_of({1.0 * piece.everywhere, surface_.edge_width, 0}));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;

@@ -102,7 +102,7 @@ class ContactTerm : public EnergyTerm {
  private:
   static constexpr std::uint32_t kLoadLanes = 64;  // partial sums of the force of a piece
   static constexpr std::uint32_t kStretch = 256;   // of points that one invocation lists
-  static constexpr std::size_t kPieceRows = 13;    // shaders/sim/contact/piece.glsl
+  static constexpr std::size_t kPieceRows = 14;    // shaders/sim/contact/piece.glsl
   static constexpr float kNoPlane = 3e38F;         // the same, and of no depth
 
   void make_grids();
@@ -114,11 +114,13 @@ class ContactTerm : public EnergyTerm {
   void keep_loads();  // of the stage that has ended
   gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
   gl::ComputePass load_pass(gl::ProgramCache& programs) const;
-  gl::ComputePass start_of_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  gl::ComputePass start_of_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
+                                gl::ComputePass::Constants constants) const;
   gl::ComputePass over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
                             const gl::Defines& defined = {}) const;
   void bind_entries(gl::ComputePass::Bindings& bindings) const;  // shaders/sim/contact/entry.glsl
   std::uint32_t loops_of_point() const;
+  bool crowded() const;  // some tool has more points than the surface has vertices
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(surface_.points.size()); }
   std::uint32_t stretches() const;  // of points, each of which one invocation lists; one at least
   // Where in list_ the vertices follow the points and pairs, and, on software renderers, those of few points
@@ -146,6 +148,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, moved_rows_, forces_, blocks_, loads_;
   gl::Buffer sums_;                       // of contact_gather.comp; absent on GPUs
+  gl::Buffer crowds_;                     // float [pieces * vertex_count]; absent where no tool is crowded()
   gl::Buffer areas_;                      // float [vertex_count] [m^2]; created for the first picture of pressures
   std::vector<double> stiffness_, kept_;  // [point] of the penalty on depth [N/m]; kept_shares() of the stage
   double length_ = 0;                     // of the stage [s]

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "sim/contact/row_stiffness.h"
 #include "tests/sim/contact/energy_derivatives.h"
 #include "tests/sim/reference/box_model.h"
 
@@ -15,7 +16,7 @@ using Eigen::VectorXd;
 struct Pressed {
   Model model = test::box_model(2, 2, 2, {0.2, 0.2, 0.2}, test::soft(1e5));
   ContactSurface surface;
-  std::vector<double> stiffness;
+  std::vector<double> stiffness, rows;
   ContactMemory memory;
   VectorXd start;
   ToolMotion motion;
@@ -40,9 +41,12 @@ struct Pressed {
     }
     start = 1e-3 * random.vector(3 * static_cast<Eigen::Index>(model.rest_positions.size()));
     motion = motion_on_paths(model.tools, 0, 1);
+    std::vector<Vector3d> u;
+    for (Eigen::Index v = 0; v < start.size() / 3; ++v) u.push_back(start.segment<3>(3 * v));
+    rows = row_stiffness(model, surface, stiffness, memory, motion, u, u);
   }
   ContactEnergy energy(const std::vector<double>& kept = {}) const {
-    return {model, surface, stiffness, memory, start, motion, {}, {}, kept};
+    return {model, surface, rows, memory, start, motion, {}, {}, kept};
   }
 };
 

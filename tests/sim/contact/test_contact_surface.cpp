@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "sim/tool/shape_distance.h"
 #include "tests/sim/reference/box_model.h"
 
 namespace fascia {
@@ -40,6 +41,22 @@ TEST_CASE("contact points of every level share the whole surface", "[contact]") 
   const std::size_t vertices = make_contact_surface(box_with(SphereShape{{0, 0, 0}, 1.0})).points.size(),
                     with_edges = make_contact_surface(box_with(SphereShape{{0, 0, 0}, 0.2})).points.size();
   CHECK(with_edges - vertices == 3 * (vertices - 2));
+}
+
+// Cells of 10 x 10 x 10 cm: diagonals of 17 cm. Points of level 2 are 4.3 cm apart.
+TEST_CASE("tools have more points around sharp edges", "[contact]") {
+  const auto levels_of = [](const ToolShape& shape) {
+    const ContactSurface surface = make_contact_surface(box_with(shape));
+    const ContactSurface everywhere = make_contact_surface(box_with(SphereShape{{0, 0, 0}, finest_radius(shape)}));
+    CHECK(surface.pieces[0].everywhere == everywhere.pieces[0].points);
+    return std::pair(everywhere.pieces[0].level, surface.pieces[0].level);
+  };
+  CHECK(levels_of(BoxShape{{0, 0, 0}, {1, 1, 1}, 0}) == std::pair(0, 2));
+  CHECK(levels_of(BoxShape{{0, 0, 0}, {1, 1, 1}, 0.2}) == std::pair(0, 1));
+  CHECK(levels_of(BoxShape{{0, 0, 0}, {1, 1, 1}, 0.5}) == std::pair(0, 0));
+  CHECK(levels_of(BoxShape{{0, 0, 0}, {1, 0.05, 1}, 0}) == std::pair(3, 3));
+  CHECK(levels_of(CylinderShape{{0, 0, 0}, {0, 2, 0}, 1}) == std::pair(0, 2));
+  CHECK(levels_of(PlaneShape{{0, 0, 0}, {0, 1, 0}}) == std::pair(0, 0));
 }
 
 TEST_CASE("tools thinner than the finest points are told", "[contact]") {

@@ -1,6 +1,7 @@
 #include "sim/tool/shape_distance.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "tests/sim/reference/box_model.h"
@@ -58,6 +59,24 @@ TEST_CASE("a point of a shape's surface lies at the stated distance", "[tool]") 
         CHECK(distance_to(shapes()[s], near).distance > 0);
       }
     }
+}
+
+TEST_CASE("places near the edges of boxes and the rims of cylinders are told", "[tool]") {
+  const BoxShape box{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0.01};
+  CHECK(sharpest_edge(box) == 0.01);
+  CHECK(near_edge(box, {0.39, 0.19, 0}, 0.02));
+  CHECK(near_edge(box, {0.41, 0.19, 0}, 0.02));
+  CHECK(near_edge(box, {0.1, 0.21, -0.39}, 0.02));
+  CHECK_FALSE(near_edge(box, {0.37, 0.21, 0}, 0.02));
+  CHECK_FALSE(near_edge(box, {0.1, 0, 0}, 0.02));
+  const CylinderShape cylinder{{0, 0, 1}, {0, 0.5, 1}, 0.2};
+  CHECK(sharpest_edge(cylinder) == 0);
+  CHECK(near_edge(cylinder, {0.13, 0.49, 1.13}, 0.02));  // 0.184 m from the axis
+  CHECK(near_edge(cylinder, {0, 0.01, 0.79}, 0.02));
+  CHECK_FALSE(near_edge(cylinder, {0, 0.25, 0.79}, 0.02));
+  CHECK_FALSE(near_edge(cylinder, {0, 0.01, 1}, 0.02));
+  CHECK_FALSE(near_edge(SphereShape{{0, 0, 0}, 0.1}, {0.1, 0, 0}, 0.05));
+  CHECK(std::isinf(sharpest_edge(PlaneShape{{0, 0, 0}, {0, 1, 0}})));
 }
 
 TEST_CASE("shapes lie within their balls", "[tool]") {
