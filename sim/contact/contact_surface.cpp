@@ -178,7 +178,7 @@ bool is_in(const Tet& tet, const std::vector<Vector3d>& x, const Vector3d& point
   return true;
 }
 
-constexpr double kDeep = 0.25;  // of a finest radius
+constexpr double kDeep = 0.25;  // of a finest part
 
 /// Whether a piece is inside of the tissue as the scene begins, and so deep that no contact point touches it.
 bool begins_inside(const Model& model, const ContactSurface& surface, const ContactPiece& piece) {
@@ -204,7 +204,7 @@ double depth_in_tissue(const Model& model, const ContactSurface& surface, const 
   if (std::holds_alternative<PlaneShape>(shape)) return 0;
   std::vector<Vector3d> x = model.rest_positions;
   for (std::size_t v = 0; v < x.size(); ++v) x[v] += u[v];
-  const double deep = kDeep * finest_radius(shape);
+  const double deep = kDeep * surface.finest_parts[tool];
   double depth = 0;
   for (const ContactPiece& piece : surface.pieces) {
     if (piece.tool != tool) continue;
@@ -241,6 +241,7 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
 }
 
 ContactSurface make_contact_surface(const Model& model) {
+  constexpr double kResolved = 1.0 / 16;  // of the longest edge: a quarter of what points near sharp edges are apart
   ContactSurface surface;
   if (model.tools.empty()) return surface;
   const std::vector<Triangle> triangles = tissue_boundary(model);
@@ -259,6 +260,7 @@ ContactSurface make_contact_surface(const Model& model) {
     const int level = levels.emplace_back(level_for(radius, ContactSurface::kFinestLevel));
     const double spacing = longest / (1 << level);
     if (spacing > 2 * radius) surface.notes.push_back(note_on(tool, spacing, radius));
+    surface.finest_parts.push_back(std::min(radius, std::max(sharpest_edge(tool.shape), longest * kResolved)));
     const int of_edges = level_for(sharpest_edge(tool.shape), ContactSurface::kFinestLevelOfEdges);
     finest = std::max(finest, edge_levels.emplace_back(std::max(level, of_edges)));
   }

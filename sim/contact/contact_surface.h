@@ -41,9 +41,10 @@ struct ContactSurface {
   std::vector<ContactPoint> points;  // level by level; none where all corners are held
   std::vector<ContactPiece> pieces;
   std::uint32_t row_count = 0;
-  double edge_width = 0;           // [m] how far from edges of pieces all of their points have rows
-  double full_slip = 0;            // [m] after which any point bears all of its friction (contact_block.h)
-  std::vector<std::string> notes;  // tools that are too thin for the surface, one line each
+  std::vector<double> finest_parts;  // [tool] [m] finest_radius(), or, about sharp edges, about what points resolve
+  double edge_width = 0;             // [m] how far from edges of pieces all of their points have rows
+  double full_slip = 0;              // [m] after which any point bears all of its friction (contact_block.h)
+  std::vector<std::string> notes;    // tools that are too thin for the surface, one line each
 
   bool empty() const { return row_count == 0; }
 };
@@ -61,7 +62,7 @@ bool has_row(const ContactSurface& surface, const ContactPiece& piece, std::uint
 ContactSurface make_contact_surface(const Model& model);
 
 /// As ToolDepth (sim/tool/tool_approach.h), of the tissue displaced by `u`: 1 with the middle of a piece in the tissue,
-/// or a point as deep in it as a quarter of its finest radius. A plane has one side and is never deep.
+/// or a point as deep in it as a quarter of its finest part. A plane has one side and is never deep.
 double depth_in_tissue(const Model& model, const ContactSurface& surface, const std::vector<Eigen::Vector3d>& u,
                        std::size_t tool, const ToolPlace& place);
 

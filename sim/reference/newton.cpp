@@ -307,7 +307,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
     return depth_in_tissue(model, contact, state.displacement, tool, place);
   };
   NewtonReport report;
-  for (const double time : approach_times(model.tools, begin, end, size, motion, depth)) {
+  for (const double time : approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth)) {
     const int before = report.iterations;
     report = equilibrium(state, tolerance, time, moment, motion(state.time, time));
     report.iterations += before;

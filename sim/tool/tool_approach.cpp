@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "sim/tool/followed_place.h"
-#include "sim/tool/shape_distance.h"
 
 namespace fascia {
 namespace {
 
-constexpr double kLongestPart = 0.5;          // of the finest radius
+constexpr double kLongestPart = 0.5;          // of the finest part
 constexpr double kShortestPart = 1.0 / 1024;  // of the time: a path may jump
 
 }  // namespace
 
-std::vector<double> approach_times(const std::vector<Tool>& tools, double begin, double end, double tissue_size,
+std::vector<double> approach_times(const std::vector<Tool>& tools, const std::vector<double>& finest, double begin,
+                                   double end, double tissue_size,
                                    const std::function<ToolMotion(double from, double to)>& motion,
                                    const ToolDepth& depth) {
   std::vector<std::size_t> deep;
@@ -23,8 +23,7 @@ std::vector<double> approach_times(const std::vector<Tool>& tools, double begin,
   if (deep.empty() || begin == end) return {end};
   const auto is_far = [&](const ToolMotion& part) {
     return std::any_of(deep.begin(), deep.end(), [&](std::size_t t) {
-      return way_between(tools[t], part.from[t], part.to[t], tissue_size) >
-             kLongestPart * finest_radius(tools[t].shape);
+      return way_between(tools[t], part.from[t], part.to[t], tissue_size) > kLongestPart * finest[t];
     });
   };
   std::vector<double> times;

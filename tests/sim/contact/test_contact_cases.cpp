@@ -137,6 +137,33 @@ TEST_CASE("in a static equilibrium friction holds against the pull of a grab", "
   CHECK(force.y() == Approx(9.81).epsilon(1e-4));
 }
 
+// A slab of 12 x 4 x 6 cm, held from below, into which a sharp tool is pressed by 3 mm without friction: at once,
+// points near its edges would leave to the sides, and hold less.
+TEST_CASE("a static equilibrium under sharp edges is the one that a motion leads to", "[contact]") {
+  const std::vector<ToolShape> shapes = {BoxShape{{0, 0.015, 0}, {0.015, 0.015, 0.015}},
+                                         CylinderShape{{0, 0, 0}, {0, 0.03, 0}, 0.015}};
+  for (const ToolShape& shape : shapes) {
+    Model model =
+        box_model(12, 4, 6, {0.12, 0.04, 0.06}, soft(1e4, 0.3), [](const Vector3d& x) { return x.y() < 1e-9; });
+    Tool tool;
+    tool.name = "tool";
+    tool.shape = shape;
+    tool.path = {{0, {0.06, 0.0401, 0.03}, {0, 0, 0}}, {0.3, {0.06, 0.037, 0.03}, {0, 0, 0}}};
+    model.tools = {tool};
+    NewtonSolver solver(model, frames());
+    State moved = initial_state(model), state = moved;
+    for (int step = 0; step < 30; ++step) solver.step(moved);
+    const Vector3d after_motion = solver.tool_loads().front().force;
+    const NewtonReport report = solver.solve_static(state);
+    const Vector3d force = solver.tool_loads().front().force;
+    const double elastic = measure(model, state).elastic, elastic_moved = measure(model, moved).elastic;
+    CAPTURE(shape.index(), force.transpose(), after_motion.transpose(), elastic, elastic_moved, report.iterations);
+    CHECK(report.converged);
+    CHECK((force - after_motion).norm() < 0.03 * after_motion.norm());
+    CHECK(elastic == Approx(elastic_moved).epsilon(0.03));
+  }
+}
+
 // F = A0 E a (1 - a^2) / 2 with a the stretch, for St. Venant-Kirchhoff under uniaxial compression between plates
 // without friction. The thin plate ends wholly below where the top of the block was.
 TEST_CASE("a block between two plates passes the patch test, however thin the upper one is", "[contact]") {

@@ -23,7 +23,8 @@ struct Ball {
   double height(double time) const { return motion_on_paths(tools, 0, time).to[0].pose.origin.y(); }
   std::vector<double> times() const {
     return approach_times(
-        tools, 0, 2, kTissueSize, [&](double from, double to) { return motion_on_paths(tools, from, to); },
+        tools, {kBallRadius}, 0, 2, kTissueSize,
+        [&](double from, double to) { return motion_on_paths(tools, from, to); },
         [](std::size_t, const ToolPlace& place) { return (kBallRadius - place.pose.origin.y()) / kBallRadius; });
   }
 };
