@@ -190,6 +190,7 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
   constexpr int kMostSteps = 12, kMostHalves = 40;
   constexpr double kArmijo = 1e-4;                              // of the decrease that a step promises
   constexpr double kRounds[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
+  constexpr double kLast = 1e-9;
   const Problem problem(bodies, contacts, length);
   VectorXd d = VectorXd::Zero(problem.unknowns()), gradient, there;
   const double largest = problem.largest_force();
@@ -214,12 +215,15 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
   // Most bodies are nearly where they should be, and then rounds are a detour: over that of the largest force a body on
   // many points is carried above all of them.
   const double sharp = kRounds[std::size(kRounds) - 1] * largest;
-  if (descend(sharp, kMostSteps)) return problem.of_bodies(d);
-  const VectorXd at_once = d;
-  for (const double round : kRounds) descend(round * largest, kMostSteps);
-  const bool detour_helps =
-      problem.evaluate(d, sharp, gradient, nullptr) < problem.evaluate(at_once, sharp, gradient, nullptr);
-  return problem.of_bodies(detour_helps ? d : at_once);
+  if (!descend(sharp, kMostSteps)) {
+    const VectorXd at_once = d;
+    for (const double round : kRounds) descend(round * largest, kMostSteps);
+    if (problem.evaluate(d, sharp, gradient, nullptr) >= problem.evaluate(at_once, sharp, gradient, nullptr))
+      d = at_once;
+  }
+  // Each of the many points that touch and bear nothing has a force of the size of a round.
+  descend(kLast * largest, kMostSteps);
+  return problem.of_bodies(d);
 }
 
 BodyMotions::BodyMotions(const Model& model, const SimBuffers& buffers)

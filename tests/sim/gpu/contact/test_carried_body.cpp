@@ -82,6 +82,20 @@ TEST_CASE("a cube lies on a thin plate that is lifted fast", "[gpu][contact]") {
 }
 
 // From 2 m/s on it jumped over the slab, and pressed it from below with 1.6 N.
+// Many of the points above the box touch it and bear nothing.
+TEST_CASE("a box that is smaller than a cube carries all of its weight", "[gpu][contact]") {
+  const double friction = GENERATE(0.0, 0.5);
+  Model model = test::moved(test::cube(kWidth, 5, test::soft_tissue(2e4)), {-kWidth / 2, 0, -kWidth / 2});
+  model.tools = {test::tool("box", BoxShape{{0, -0.02, 0}, {0.012, 0.02, 0.012}}, friction)};
+  test::Gpu gpu;
+  GpuSolver solver(gpu.programs, model, awake(Integrator::implicit_euler, 1));
+  for (int i = 0; i < 90; ++i) solver.step();
+  solver.request_diagnostics();
+  const ToolLoad load = solver.take_diagnostics(true)->tool_loads[0];
+  CAPTURE(friction, load.force.transpose(), kLoad, load.points);
+  CHECK(load.force.y() == Approx(kLoad).epsilon(2e-6));
+}
+
 TEST_CASE("a ball on a path presses on the side that it comes from, however far it moves in a step", "[gpu][contact]") {
   const double speed = GENERATE(0.5, 2.0, 5.0);
   Model model = test::make_model(make_box(8, 2, 8, {0.1, 0.02, 0.1}), test::squared(2e4),

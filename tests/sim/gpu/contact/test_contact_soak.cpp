@@ -84,7 +84,7 @@ void lie(double young_modulus, bool slope, int steps) {
   CAPTURE(young_modulus, slope, steps, farthest / kSide, (last.middle - first.middle).transpose() / kSide,
           largest_force / weight.norm(), (mean + weight).norm() / weight.norm(), rounding,
           largest_energy / first.energy, largest_kinetic / first.energy);
-  CHECK(farthest < 5e-7 * kSide);  // it moves to and fro by 2e-7, and no farther in 12,000 steps than in 2,000
+  CHECK(farthest < 5e-7 * kSide);  // it moves to and fro by 2e-7, and no farther in 12,000 steps than in 1,000
   CHECK((last.middle - first.middle).norm() < 2e-8 * kSide);
   CHECK(largest_force < 1e-5 * weight.norm() + rounding);
   CHECK((mean + weight).norm() < 1e-5 * weight.norm() + rounding);
@@ -93,7 +93,7 @@ void lie(double young_modulus, bool slope, int steps) {
 }
 
 TEST_CASE("a cube on a table does not creep", "[gpu][contact]") {
-  lie(GENERATE(2e4, 1e6), GENERATE(false, true), 2000);
+  lie(GENERATE(2e4, 1e6), GENERATE(false, true), 1000);
 }
 
 TEST_CASE("a cube on a table does not creep in half an hour", "[slow]") {
