@@ -81,10 +81,8 @@ struct NewtonSolver::Impl {
                                                     double time = 0) {
     memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
-    std::vector<Vector3d> path = end, ahead = end;
-    for (std::size_t v = 0; stage && v < ahead.size(); ++v)
-      if (falls[v]) ahead[v] -= fall_in(*stage);
-    rows = row_stiffness(model, contact, stiffness, memory, motion, as_vectors(start), ahead);
+    std::vector<Vector3d> path = end;
+    rows = row_stiffness(model, contact, stiffness, memory, motion, as_vectors(start), end);
     if (!stage)
       return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion,
                                              pairs.find(as_vectors(start), end, before));

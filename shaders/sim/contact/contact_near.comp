@@ -5,9 +5,6 @@
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
-#if CROWDED
-#include "common/step.glsl"
-#endif
 INPUT_VEC4(ContactRest, contact_rest)              // [2 * points] point.glsl
 INPUT_VEC4(StartDisplacement, start_displacement)  // [vertex_count] u at the start [m]
 INPUT_VEC4(Displacement, displacement)             // [vertex_count] u where the iterations start [m]
@@ -46,8 +43,7 @@ void main() {
     if (memory.w > 0.0 || in_reach && has_row(piece, i, x)) {
       near |= 1u << piece;
 #if CROWDED
-      vec3 ahead = x + way - SUBSTEP * SUBSTEP * GRAVITY;
-      float gap = distance_to(piece, to_local(pose_at_end(piece), ahead)).w - half_thickness(piece);
+      float gap = distance_to(piece, to_local(pose_at_end(piece), x + way)).w - half_thickness(piece);
       pressing = memory.w > 0.0 ? memory.w : min(0.0, FETCH(contact_rest, 2u * i).w * gap);
 #endif
     }

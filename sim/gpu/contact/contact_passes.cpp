@@ -115,7 +115,6 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                      {"contact_anchor", &rows_},
                                      {"contact_force", &forces_},
                                      {"contact_block", &blocks_}});
-    if (crowds_) bindings.emplace_back("step", &buffers.step);
     passes.push_back(over_points(programs, "sim/contact/contact_near.comp", std::move(bindings)));
   }
   passes
