@@ -1,6 +1,7 @@
-// How stiff rows are (sim/contact/row_stiffness.h), and what carries bodies: sums the forces with which pieces pressed each body at the end of the stage before, and the ways on which the velocities
-// of the points that pressed lead. Those of other tissue are there already. In integers, whose sum is the same in any order.
-// Over the listed points, among which all that pressed are. After contact_list, before contact_start.
+// How stiff rows are (sim/contact/row_stiffness.h), and what carries bodies: sums the forces with which pieces pressed each
+// body at the end of the stage before, and the ways on which the velocities of the points that pressed lead. Those of other
+// tissue are there already. In integers, whose sum is the same in any order. Over the listed points, among which all that
+// pressed are. After contact_touched, before contact_start.
 #include "common/io.glsl"
 COMPUTE_1D
 #include "common/step.glsl"
