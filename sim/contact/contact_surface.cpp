@@ -87,6 +87,25 @@ std::string note_on(const Tool& tool, double spacing, double radius) {
   return tool.name + text;
 }
 
+/// Whether a path has a bend, as of a tool that is pressed in and slides on.
+bool turns_off(const Tool& tool) {
+  constexpr double kStraight = 0.01;  // sine of the angle
+  Vector3d before(0, 0, 0);
+  for (std::size_t k = 1; k < tool.path.size(); ++k) {
+    const Vector3d way = tool.path[k].position - tool.path[k - 1].position;
+    if (way.cross(before).norm() > kStraight * way.norm() * before.norm()) return true;
+    if (!way.isZero(0)) before = way;
+  }
+  return false;
+}
+
+std::string note_on_edges(const Tool& tool, double round) {
+  char text[160];
+  std::snprintf(text, sizeof text, ": may hook into tissue with its sharp edges where it slides; a round of %.2g m helps",
+                round);
+  return tool.name + text;
+}
+
 std::string meters(double length) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g m", length);
@@ -241,13 +260,16 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
 }
 
 ContactSurface make_contact_surface(const Model& model) {
-  constexpr double kResolved = 1.0 / 16;  // of the longest edge: a quarter of what points near sharp edges are apart
+  // Of the longest edge: a quarter of what points near sharp edges are apart, and half of that. Without it, rounding says
+  // which points of a flat face bear first.
+  constexpr double kResolved = 1.0 / 16, kFirstReach = 1.0 / 32;
   ContactSurface surface;
   if (model.tools.empty()) return surface;
   const std::vector<Triangle> triangles = tissue_boundary(model);
   const double longest = longest_edge(model, triangles);
   surface.full_slip = kFullSlip * mean_edge(model, triangles);
   surface.edge_width = longest;
+  surface.first_reach = longest * kFirstReach;
   const auto level_for = [&](double radius, int finest) {
     int level = 0;
     while (level < finest && longest / (1 << level) > radius / 2) ++level;
@@ -260,6 +282,8 @@ ContactSurface make_contact_surface(const Model& model) {
     const int level = levels.emplace_back(level_for(radius, ContactSurface::kFinestLevel));
     const double spacing = longest / (1 << level);
     if (spacing > 2 * radius) surface.notes.push_back(note_on(tool, spacing, radius));
+    if (sharpest_edge(tool.shape) < longest * kResolved && turns_off(tool))
+      surface.notes.push_back(note_on_edges(tool, std::min(2 * kResolved * longest, radius)));
     surface.finest_parts.push_back(std::min(radius, std::max(sharpest_edge(tool.shape), longest * kResolved)));
     const int of_edges = level_for(sharpest_edge(tool.shape), ContactSurface::kFinestLevelOfEdges);
     finest = std::max(finest, edge_levels.emplace_back(std::max(level, of_edges)));

@@ -43,6 +43,7 @@ struct ContactSurface {
   std::uint32_t row_count = 0;
   std::vector<double> finest_parts;  // [tool] [m] finest_radius(), or, about sharp edges, about what points resolve
   double edge_width = 0;             // [m] how far from edges of pieces all of their points have rows
+  double first_reach = 0;            // [m] how near to pieces points count as bearing at a first touch
   double full_slip = 0;              // [m] after which any point bears all of its friction (contact_block.h)
   std::vector<std::string> notes;    // tools that are too thin for the surface, one line each
 

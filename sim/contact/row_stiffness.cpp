@@ -66,7 +66,8 @@ std::vector<double> row_stiffness(const Model& model, const ContactSurface& surf
         continue;
       }
       const double gap = distance_to(tool.shape, to.to_local(place_of(point, model, ahead))).distance;
-      forces[p] = before > 0 ? before : std::min(0.0, stiffness[p] * (gap - 0.5 * model.contact.thickness));
+      const double reach = 0.5 * model.contact.thickness + surface.first_reach;
+      forces[p] = before > 0 ? before : std::min(0.0, stiffness[p] * (gap - reach));
     }
     const std::vector<double> counts = sharing(surface, forces, model.rest_positions.size());
     for (std::uint32_t p = 0; p < piece.points; ++p) rows[piece.first_row + p] /= counts[p];

@@ -14,8 +14,9 @@ namespace fascia {
 /// `stiffness` [point], over the number of points that share it, at least 1. They are counted by the forces N that they
 /// bear. Around a vertex they are (sum w N)^2 / sum w N^2, w being their weights there: as many as of equal forces
 /// would have this sum and these squares. A point has the mean over its corners. Where none around a vertex bears one
-/// yet, N is what they would bear with all of the stiffness where velocities and gravity lead. `memory`: at the start,
-/// none if shorter than the rows. `start`, `ahead`: displacements [vertex] at the start, and where these lead.
+/// yet, N is what they would bear with all of the stiffness where velocities and gravity lead, in the piece grown by
+/// ContactSurface::first_reach. `memory`: at the start, none if shorter than the rows. `start`, `ahead`: displacements
+/// [vertex] at the start, and where these lead.
 std::vector<double> row_stiffness(const Model& model, const ContactSurface& surface,
                                   const std::vector<double>& stiffness, const ContactMemory& memory,
                                   const ToolMotion& motion, const std::vector<Eigen::Vector3d>& start,

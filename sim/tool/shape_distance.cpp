@@ -63,16 +63,17 @@ struct Distance {
     const Vector3d across = local - height * axis;
     const double radial = across.norm();
     const Vector3d outward = radial > 0 ? Vector3d(across / radial) : Vector3d(axis.unitOrthogonal());
-    const double past_rim = radial - s.radius, past_end = std::abs(height) - 0.5 * (s.to - s.from).norm();
+    const double past_rim = radial - (s.radius - s.round),
+                 past_end = std::abs(height) - (0.5 * (s.to - s.from).norm() - s.round);
     const Vector3d around = axis.cross(outward);
     const Matrix3d hoop = radial > 0 ? Matrix3d(around * around.transpose() / radial) : Matrix3d(Matrix3d::Zero());
     if (past_rim > 0 && past_end > 0) {
-      ShapeDistance edge = from_core(past_rim * outward + past_end * side * axis, 0, around * around.transpose());
+      ShapeDistance edge = from_core(past_rim * outward + past_end * side * axis, s.round, around * around.transpose());
       edge.curvature += edge.normal.dot(outward) * hoop;
       return edge;
     }
-    if (past_rim > past_end) return {past_rim, outward, hoop};
-    return {past_end, side * axis, Matrix3d::Zero()};
+    if (past_rim > past_end) return {past_rim - s.round, outward, hoop};
+    return {past_end - s.round, side * axis, Matrix3d::Zero()};
   }
 
   ShapeDistance operator()(const MeshShape& s) const { return distance_to(*s.solid, x); }
@@ -102,7 +103,8 @@ double finest_radius(const ToolShape& shape) {
 
 double sharpest_edge(const ToolShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return box->round;
-  return std::holds_alternative<CylinderShape>(shape) ? 0 : std::numeric_limits<double>::infinity();
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return cylinder->round;
+  return std::numeric_limits<double>::infinity();
 }
 
 bool near_edge(const ToolShape& shape, const Vector3d& point, double width) {

@@ -93,6 +93,20 @@ std::vector<ProfilePoint> capsule_profile(double length, double radius) {
   return profile;
 }
 
+// From the middle of one end to that of the other. Without a rounding the edges are drawn sharp.
+std::vector<ProfilePoint> cylinder_profile(double length, double radius, double round) {
+  std::vector<ProfilePoint> profile = {{0, 0, -1, 0}};
+  for (const bool upper : {false, true})
+    for (int ring = 0; ring <= kRings; ring += round > 0 ? 1 : kRings) {
+      const double angle = (upper ? 0 : -1) * std::numbers::pi / 2 + std::numbers::pi / 2 * ring / kRings;
+      const double along = std::sin(angle), away = std::cos(angle);
+      profile.push_back(
+          {(upper ? length - round : round) + round * along, radius - round + round * away, along, away});
+    }
+  profile.push_back({length, 0, 1, 0});
+  return profile;
+}
+
 struct Maker {
   double reach;
 
@@ -109,13 +123,7 @@ struct Maker {
   ShapeMesh operator()(const CylinderShape& s) const {
     const double length = (s.to - s.from).norm();
     Builder builder;
-    builder.turn({{0, 0, -1, 0},
-                  {0, s.radius, -1, 0},
-                  {0, s.radius, 0, 1},
-                  {length, s.radius, 0, 1},
-                  {length, s.radius, 1, 0},
-                  {length, 0, 1, 0}},
-                 s.from, (s.to - s.from).normalized());
+    builder.turn(cylinder_profile(length, s.radius, s.round), s.from, (s.to - s.from).normalized());
     return builder.take();
   }
   // Without its rounding: edges are drawn sharp.

@@ -44,7 +44,7 @@ void main() {
       near |= 1u << piece;
 #if CROWDED
       float gap = distance_to(piece, to_local(pose_at_end(piece), x + way)).w - half_thickness(piece);
-      pressing = memory.w > 0.0 ? memory.w : min(0.0, FETCH(contact_rest, 2u * i).w * gap);
+      pressing = memory.w > 0.0 ? memory.w : min(0.0, FETCH(contact_rest, 2u * i).w * (gap - first_reach(piece)));
 #endif
     }
     contact_anchor[row] = vec4(0.0, 0.0, 0.0, pressing);

@@ -34,6 +34,8 @@ float lost_distance(uint piece, vec3 normal) {
 uint first_row_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 5u).w); }
 uint points_everywhere(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 13u).x); }  // others near edges only
 float edge_width(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 13u).y; }             // [m] what near is
+float first_reach(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 13u).z; }             // [m] sim/contact/contact_surface.h
+float round_of(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 13u).w; }                // [m] of a cylinder
 uint points_of(uint piece) { return uint(FETCH(contact_pieces, PIECE_ROWS * piece + 6u).w); }
 
 vec4 from_core(vec3 away, float radius) {
@@ -59,8 +61,8 @@ vec4 box_distance(vec4 a, vec4 b, vec3 x) {
 }
 #endif
 #if CYLINDERS
-// a: middle, radius; b: axis, half height.
-vec4 cylinder_distance(vec4 a, vec4 b, vec3 x) {
+// Of its core, which is smaller by the radius of its edges `rim`: a: middle, radius; b: axis, half height.
+vec4 cylinder_distance(vec4 a, vec4 b, float rim, vec3 x) {
   vec3 local = x - a.xyz;
   float height = dot(local, b.xyz), side = height < 0.0 ? -1.0 : 1.0;
   vec3 across = local - height * b.xyz;
@@ -68,8 +70,8 @@ vec4 cylinder_distance(vec4 a, vec4 b, vec3 x) {
   // At the axis any direction across it serves: the flat ends are nearer, or the cylinder is a needle.
   vec3 outward = radial > 0.0 ? across / radial : normalize(cross(b.xyz, abs(b.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
   float past_rim = radial - a.w, past_end = abs(height) - b.w;
-  if (past_rim > 0.0 && past_end > 0.0) return from_core(past_rim * outward + past_end * side * b.xyz, 0.0);
-  return past_rim > past_end ? vec4(outward, past_rim) : vec4(side * b.xyz, past_end);
+  if (past_rim > 0.0 && past_end > 0.0) return from_core(past_rim * outward + past_end * side * b.xyz, rim);
+  return past_rim > past_end ? vec4(outward, past_rim - rim) : vec4(side * b.xyz, past_end - rim);
 }
 #endif
 #if MESHES
@@ -91,7 +93,7 @@ vec4 distance_to(uint piece, vec3 x) {
   if (shape == 2.0) result = vec4(b.xyz, dot(x - a.xyz, b.xyz));
 #endif
 #if CYLINDERS
-  if (shape == 3.0) result = cylinder_distance(a, b, x);
+  if (shape == 3.0) result = cylinder_distance(a, b, round_of(piece), x);
 #endif
 #if MESHES
   if (shape == 4.0) result = mesh_distance(a, b, x);
@@ -113,7 +115,7 @@ bool near_edge(uint piece, vec3 x) {
 #if CYLINDERS
   if (shape == 3.0) {
     float height = dot(x - a.xyz, b.xyz), across = length(x - a.xyz - height * b.xyz);
-    result = across - a.w > -width && abs(height) - b.w > -width;
+    result = across - a.w - round_of(piece) > -width && abs(height) - b.w - round_of(piece) > -width;
   }
 #endif
   return result;

@@ -323,7 +323,7 @@ void ContactTerm::place_pieces(const ToolMotion& motion) {
     const Vector3d lost = rounding_of(after.origin) + after.axes * shape.lost_place;
     rows.push_back(row_of(lost));
     rows.push_back(row_of(shape.lost_half, shape.lost_radius));
-    rows.push_back(row_of({1.0 * piece.everywhere, surface_.edge_width, 0}));
+    rows.push_back(row_of({1.0 * piece.everywhere, surface_.edge_width, surface_.first_reach}, shape.round));
   }
   const auto same = [](const vec4& a, const vec4& b) { return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w; };
   if (std::equal(rows.begin(), rows.end(), uploaded_.begin(), uploaded_.end(), same)) return;

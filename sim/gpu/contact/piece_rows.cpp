@@ -47,9 +47,13 @@ PieceRows piece_rows_of(const ToolShape& shape, std::size_t first_node) {
     PieceRows operator()(const CylinderShape& s) const {
       const Vector3d along = s.to - s.from;
       const Vector3d middle = 0.5 * (s.from + s.to);
-      return {
-          3, row_of(middle, s.radius), row_of(along.normalized(), 0.5 * along.norm()), rounding_of(middle), {0, 0, 0},
-          0};
+      return {3,
+              row_of(middle, s.radius - s.round),
+              row_of(along.normalized(), 0.5 * along.norm() - s.round),
+              rounding_of(middle),
+              {0, 0, 0},
+              lost(s.round),
+              s.round};
     }
     PieceRows operator()(const MeshShape& s) const {
       const auto& count = s.solid->count;

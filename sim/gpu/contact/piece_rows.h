@@ -17,6 +17,7 @@ struct PieceRows {
   shared::vec4 a, b;
   Eigen::Vector3d lost_place{0, 0, 0}, lost_half{0, 0, 0};  // roundings in its axes [m]; half: half sizes of a box
   double lost_radius = 0;
+  double round = 0;  // of a cylinder [m]; a and b are those of its core
 };
 /// `first_node`: of the grid of a mesh, in the buffer of all grids.
 PieceRows piece_rows_of(const ToolShape& shape, std::size_t first_node = 0);

@@ -39,13 +39,25 @@ SphereShape read_sphere(const Node& node) {
 
 template <class Shape>
 Shape read_segment(const Node& node) {
-  node.expect_object({"from", "to", "radius"});
   Shape shape;
   shape.from = place(node, "from", "one end of the axis [x, y, z] [m]");
   shape.to = place(node, "to", "the other end of the axis [x, y, z] [m]");
   shape.radius = radius_of(node);
   if ((shape.to - shape.from).norm() < kSmallest) node.fail("from and to are the same point", "two different points");
   return shape;
+}
+
+CapsuleShape read_capsule(const Node& node) {
+  node.expect_object({"from", "to", "radius"});
+  return read_segment<CapsuleShape>(node);
+}
+
+CylinderShape read_cylinder(const Node& node) {
+  node.expect_object({"from", "to", "radius", "round"});
+  auto cylinder = read_segment<CylinderShape>(node);
+  const double most = std::min(cylinder.radius, 0.5 * (cylinder.to - cylinder.from).norm());
+  node.read("round", cylinder.round, 0, most, "m, at most the radius and half of the length");
+  return cylinder;
 }
 
 BoxShape read_box(const Node& node) {
@@ -83,8 +95,8 @@ ToolShape read_shape(const Node& node) {
   if (members.size() != 1) node.fail(members.empty() ? "is empty" : "has more than one shape", expected);
   const auto& [name, shape] = members.front();
   if (name == "sphere") return read_sphere(shape);
-  if (name == "capsule") return read_segment<CapsuleShape>(shape);
-  if (name == "cylinder") return read_segment<CylinderShape>(shape);
+  if (name == "capsule") return read_capsule(shape);
+  if (name == "cylinder") return read_cylinder(shape);
   if (name == "box") return read_box(shape);
   if (name == "mesh") return read_mesh_shape(shape);
   return read_plane(shape);

@@ -11,7 +11,10 @@ void scale_lengths(ToolShape& shape, double factor) {
       s.radius *= factor;
     }
     void operator()(CapsuleShape& s) const { segment(s.from, s.to, s.radius); }
-    void operator()(CylinderShape& s) const { segment(s.from, s.to, s.radius); }
+    void operator()(CylinderShape& s) const {
+      segment(s.from, s.to, s.radius);
+      s.round *= factor;
+    }
     void operator()(BoxShape& s) const {
       s.center *= factor;
       s.half_size *= factor;

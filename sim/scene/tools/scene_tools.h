@@ -33,6 +33,7 @@ struct PlaneShape {  // the half space behind it is solid
 struct CylinderShape {  // with flat ends
   Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
   double radius = 0;
+  double round = 0;  // radius of the edges of its ends, within the cylinder
   bool operator==(const CylinderShape&) const = default;
 };
 struct SolidMesh;                          // sim/tool/solid_mesh.h

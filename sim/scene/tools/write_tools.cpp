@@ -15,7 +15,11 @@ OrderedJson shape(const ToolShape& shape) {
       return {{"sphere", {{"center", vector(s.center)}, {"radius", number(s.radius)}}}};
     }
     OrderedJson operator()(const CapsuleShape& s) const { return {{"capsule", segment(s.from, s.to, s.radius)}}; }
-    OrderedJson operator()(const CylinderShape& s) const { return {{"cylinder", segment(s.from, s.to, s.radius)}}; }
+    OrderedJson operator()(const CylinderShape& s) const {
+      OrderedJson cylinder = segment(s.from, s.to, s.radius);
+      if (s.round > 0) cylinder["round"] = number(s.round);
+      return {{"cylinder", cylinder}};
+    }
     OrderedJson operator()(const BoxShape& s) const {
       return {{"box", {{"center", vector(s.center)}, {"half_size", vector(s.half_size)}, {"round", number(s.round)}}}};
     }

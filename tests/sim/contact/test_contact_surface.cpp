@@ -44,6 +44,22 @@ TEST_CASE("contact points of every level share the whole surface", "[contact]") 
 }
 
 // Cells of 10 x 10 x 10 cm: diagonals of 17 cm. Points of level 2 are 4.3 cm apart.
+TEST_CASE("a tool with sharp edges that slides is told", "[contact]") {
+  const auto notes = [](const ToolShape& shape, const std::vector<Vector3d>& way) {
+    Model model = box_with(shape);
+    model.tools[0].path.clear();
+    for (const Vector3d& place : way)
+      model.tools[0].path.push_back({static_cast<double>(model.tools[0].path.size()), place, {0, 0, 0}, 0});
+    return make_contact_surface(model).notes;
+  };
+  const std::vector<Vector3d> straight = {{0, 1, 0}, {0, 0, 0}, {0, 1, 0}}, slides = {{0, 1, 0}, {0, 0, 0}, {1, 0, 0}};
+  const CylinderShape sharp{{0, 0, 0}, {0, 2, 0}, 1}, round{{0, 0, 0}, {0, 2, 0}, 1, 0.02};
+  CHECK(notes(sharp, slides) == std::vector<std::string>{"tool: may hook into tissue with its sharp edges where it "
+                                                         "slides; a round of 0.018 m helps"});
+  CHECK(notes(sharp, straight).empty());
+  CHECK(notes(round, slides).empty());
+}
+
 TEST_CASE("tools have more points around sharp edges", "[contact]") {
   const auto levels_of = [](const ToolShape& shape) {
     const ContactSurface surface = make_contact_surface(box_with(shape));

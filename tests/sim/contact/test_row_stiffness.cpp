@@ -1,6 +1,7 @@
 #include "sim/contact/row_stiffness.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
 
 #include "tests/sim/reference/box_model.h"
@@ -37,6 +38,11 @@ struct UnderPlate {
   std::vector<double> rows(const ContactMemory& memory, const std::vector<Vector3d>& ahead) const {
     return row_stiffness(model, surface, stiffness, memory, motion_on_paths(model.tools, 0, 0), still, ahead);
   }
+  std::vector<Vector3d> moved_up(double way) const {
+    std::vector<Vector3d> u = still;
+    for (Vector3d& each : u) each.y() = way;
+    return u;
+  }
   double on_top(const std::vector<double>& of_points, bool vertices_alone) const {
     double sum = 0;
     for (std::uint32_t p = 0; p < surface.points.size(); ++p)
@@ -54,17 +60,27 @@ TEST_CASE("points that all press share the stiffness of the vertices", "[contact
     if (under.place(p).y() > 0.1 - 1e-9) memory[p].normal = 2;
   const double vertices = under.on_top(under.stiffness, true), alone = under.on_top(under.stiffness, false);
   // By forces that they bear, or, before they bear any, by those of a way into the plate.
-  std::vector<Vector3d> ahead = under.still;
-  for (Vector3d& u : ahead) u.y() = 1e-3;
   const double bearing = under.on_top(under.rows(memory, under.still), false),
-               coming = under.on_top(under.rows({}, ahead), false),
-               apart = under.on_top(under.rows({}, under.still), false);
+               coming = under.on_top(under.rows({}, under.moved_up(1e-3)), false),
+               apart = under.on_top(under.rows({}, under.moved_up(-1e-2)), false);
   CAPTURE(vertices, alone, bearing, coming, apart);
   CHECK(alone > 30 * vertices);
   // At the rim of the plate's top fewer points are around a vertex than within.
   CHECK(bearing == Approx(vertices).epsilon(0.1));
   CHECK(coming == Approx(vertices).epsilon(0.1));
   CHECK(apart == Approx(alone));
+}
+
+TEST_CASE("rounding does not say how many points share a first touch", "[contact]") {
+  const UnderPlate under;
+  // On the plate, which is half a millimeter above, but for what float32 would lose.
+  std::vector<Vector3d> ahead = under.moved_up(5e-4);
+  const double even = under.on_top(under.rows({}, ahead), false);
+  for (std::size_t v = 0; v < ahead.size(); ++v) ahead[v].y() += 1e-8 * std::sin(7.0 * static_cast<double>(v));
+  const double uneven = under.on_top(under.rows({}, ahead), false), vertices = under.on_top(under.stiffness, true);
+  CAPTURE(even, uneven, vertices);
+  CHECK(even == Approx(vertices).epsilon(0.1));
+  CHECK(uneven == Approx(even).epsilon(1e-4));
 }
 
 TEST_CASE("few points that press are as stiff as the tissue below them", "[contact]") {

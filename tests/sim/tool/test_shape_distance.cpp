@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 std::vector<ToolShape> shapes() {
   return {SphereShape{{0.1, -0.2, 0.3}, 0.4},        CapsuleShape{{0, 0, 0}, {0.3, 0.5, -0.2}, 0.2},
           BoxShape{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0}, BoxShape{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0.1},
-          PlaneShape{{0, 0.1, 0}, {1, 2, 0.5}},      CylinderShape{{0, -0.2, 0}, {0.2, 0.3, 0.1}, 0.25}};
+          PlaneShape{{0, 0.1, 0}, {1, 2, 0.5}},      CylinderShape{{0, -0.2, 0}, {0.2, 0.3, 0.1}, 0.25, 0},
+          CylinderShape{{0, -0.2, 0}, {0.2, 0.3, 0.1}, 0.25, 0.1}};
 }
 
 TEST_CASE("normals and curvatures are the derivatives of the distance", "[tool]") {
@@ -71,6 +72,7 @@ TEST_CASE("places near the edges of boxes and the rims of cylinders are told", "
   CHECK_FALSE(near_edge(box, {0.1, 0, 0}, 0.02));
   const CylinderShape cylinder{{0, 0, 1}, {0, 0.5, 1}, 0.2};
   CHECK(sharpest_edge(cylinder) == 0);
+  CHECK(sharpest_edge(CylinderShape{{0, 0, 1}, {0, 0.5, 1}, 0.2, 0.03}) == 0.03);
   CHECK(near_edge(cylinder, {0.13, 0.49, 1.13}, 0.02));  // 0.184 m from the axis
   CHECK(near_edge(cylinder, {0, 0.01, 0.79}, 0.02));
   CHECK_FALSE(near_edge(cylinder, {0, 0.25, 0.79}, 0.02));

@@ -23,6 +23,9 @@ TEST_CASE("the triangles of a shape enclose its volume, wound outward as their n
   CHECK(volume(shape_mesh(CapsuleShape{{0, 0, 0}, {0, 0, 2}, 0.5}, 1)) ==
         Approx(4 * kPi / 3 * 0.125 + kPi * 0.25 * 2).epsilon(0.02));
   CHECK(volume(shape_mesh(CylinderShape{{0, 1, 0}, {3, 1, 0}, 0.5}, 1)) == Approx(kPi * 0.25 * 3).epsilon(0.01));
+  // Rounded to half a ball, a rod of 2 and another half.
+  CHECK(volume(shape_mesh(CylinderShape{{0, 1, 0}, {3, 1, 0}, 0.5, 0.5}, 1)) ==
+        Approx(4 * kPi / 3 * 0.125 + kPi * 0.25 * 2).epsilon(0.02));
   CHECK(volume(shape_mesh(BoxShape{{1, 0, 0}, {0.1, 0.2, 0.3}, 0}, 1)) == Approx(0.048).epsilon(1e-5));
   const ShapeMesh plane = shape_mesh(PlaneShape{{0, 1, 0}, {0, 2, 0}}, 5);
   for (const Eigen::Vector3f& x : plane.positions) CHECK(x.y() == Approx(1));

@@ -263,6 +263,11 @@ TEST_CASE("steps in contact follow the reference", "[gpu][contact]") {
        CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.2},
        {{0, {0.1, 0.24, 0.1}, {0, 0, 0}}, {0.4, {0.1, 0.17, 0.1}, {8, 0, 0}}},
        60},
+      {"rounded cylinder",
+       CylinderShape{{0, 0, 0}, {0, 0.1, 0}, 0.06, 0.02},
+       {{0, {0.1, 0.21, 0.1}, {0, 0, 0}}, {0.2, {0.1, 0.18, 0.11}, {10, 0, 0}}},
+       40,
+       18},
       // Thinner than the mesh: contact points within the faces, many of which come and go in a step. In the last step
       // a fold beside it snaps by 2.6 cm; the next one would end 0.13 mm from the exact one, with 400 iterations, too.
       {"probe",

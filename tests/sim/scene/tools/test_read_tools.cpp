@@ -22,7 +22,7 @@ const std::string kTools = R"("contact": {"friction": 0.4, "thickness": 0.002},
                    "path": [{"time": 0, "position": [0, 0.2, 0]}, {"time": 1.5, "position": [0, 0.1, 0],
                             "rotate_deg": [0, 0, 10]}, {"time": 2}]},
                   {"name": "forceps", "jaws": {"shape": {"cylinder": {"from": [0, 0, 0], "to": [0.1, 0, 0],
-                   "radius": 0.003}}, "axis": [0, 0, 1], "open_deg": 30}, "path": [{"time": 0, "grip": 0.5}]}])";
+                   "radius": 0.003, "round": 0.001}}, "axis": [0, 0, 1], "open_deg": 30}, "path": [{"time": 0, "grip": 0.5}]}])";
 
 TEST_CASE("the tools of a scene are read, and written as they were") {
   const SceneFile file(scene_text("", kTools));
@@ -76,7 +76,7 @@ TEST_CASE("a scene of another size has its tools at that size") {
   CHECK(tools.instruments[0].path[0].position == Vector3d(0, 0.1, 0));
   CHECK(tools.instruments[0].path[1].time == 1.5);
   CHECK(std::get<CylinderShape>(std::get<JawsShape>(tools.instruments.at(1).shape).shape) ==
-        CylinderShape{{0, 0, 0}, {0.05, 0, 0}, 0.0015});
+        CylinderShape{{0, 0, 0}, {0.05, 0, 0}, 0.0015, 0.0005});
 }
 
 TEST_CASE("bodies touch each other where a scene speaks of contact, and themselves where it asks for that") {
@@ -144,6 +144,8 @@ TEST_CASE("mistakes in an instrument's text are errors that name the key") {
       {"name=a;shape={\"sphere\":{\"radius\":1}};radius=1", "radius: goes with the name of a shape"},
       {"name=a;shape=sphere;radius=-1", "instruments[0].shape.sphere.radius: is -1; expected 1e-09 to 1e+06 m"},
       {"name=a;shape=sphere;radius=nan", "instruments[0].shape.sphere.radius: is \"nan\"; expected a number"},
+      {"name=a;shape=cylinder;radius=0.1;length=0.1;round=0.06",
+       "instruments[0].shape.cylinder.round: is 0.06; expected 0 to 0.05 m, at most the radius and half of the length"},
       {ball + "friction=-1", "instruments[0].friction: is -1; expected 0 to 10"},
       {ball + "interpolate=cubic", "instruments[0].interpolate: is \"cubic\"; expected \"linear\" or \"smooth\""},
       {ball + "grip=1", "instruments[0].path[0].grip: has no jaws to close"},
