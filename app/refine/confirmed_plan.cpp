@@ -7,6 +7,10 @@
 namespace fascia {
 namespace {
 
+/// The coarsest mesh that is proposed where none can be made: of half as many tets. How wrong a coarser one is, whose
+/// cells may be as large as parts of the body, the one at hand does not say.
+constexpr double kCoarsestUnseen = 0.79;
+
 /// The finest mesh that a choice for the error alone is run on.
 double finest_run(const std::vector<double>& refinements, const std::vector<Trial>& trials) {
   double finest = 1;
@@ -37,6 +41,7 @@ Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes 
     return choice;
   };
   const auto confirmed = [&](const Proposal& choice) { return measured(trial_for(choice), trials); };
+  if (!meshes.can_be_made) std::erase_if(meshes.refinements, [](double r) { return r < kCoarsestUnseen; });
   for (int runs = 0; runs < kMostRuns; ++runs) {
     const Plan plan = plan_for(trials, error, ms, meshes.refinements);
     std::vector<std::optional<Proposal>> proposals{plan.exact, plan.fast};

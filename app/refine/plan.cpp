@@ -67,7 +67,8 @@ Proposal predicted(const Trial& trial, double refinement, int substeps, int iter
   const double finer = own_mesh ? 1 : refinement / trial.refinement;
   const auto tets = static_cast<double>(trial.tets), kept = static_cast<double>(trial.kept);
   result.tets = kept + (tets - kept) * std::pow(finer, 3);
-  result.mesh = trial.mesh / (finer * finer);
+  const bool steep = trial.elements == ElementOrder::quadratic && finer < 1;
+  result.mesh = trial.mesh * std::pow(finer, steep ? -4 : -2);
   result.time = trial.time * std::pow(static_cast<double>(trial.substeps) / substeps,
                                       std::max(trial.order, TimeExtrapolation::kLeastOrder));
   result.solver = std::max(kRounding, solver_error(trial, iterations));

@@ -44,8 +44,8 @@ struct Proposal {
 };
 
 /// What the trial becomes on another mesh, with more substeps and other iterations:
-///   mesh error * (refinement over the trial's)^-2     the order of both elements in general; that of quadratic ones
-///                                                     is up to 4
+///   mesh error * (refinement over the trial's)^-2     the order of both elements in general; to coarser meshes, that of
+///                                                     quadratic ones is taken for 4, the highest
 ///   time error * substeps^-order   the order found, or kLeastOrder where it is less: such errors fall in shorter steps
 ///   solver error: geometric between the two measured numbers of iterations, and beyond them
 ///   time: tets and substeps times that of a tet in a substep, linear in the iterations through both measured times

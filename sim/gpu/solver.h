@@ -163,6 +163,7 @@ class GpuSolver {
   void iterate(int iteration, int count = 1);  // `count` iterations, if fused and alike_from() permits
   void end_iterations();
   void move_bodies();
+  void begin_again(bool stiff);
   void end_stage();
   void iterate_all();
   void solve_stage(const IntegratorStage& stage);
@@ -170,9 +171,10 @@ class GpuSolver {
   int alike_from(int iteration) const;  // the first later iteration that runs other passes
   void settings_changed();
   struct StepPasses {
-    // Of one substep. `again`: for further iterations of the same stage, from where the last ones ended; `completion`:
+    // Of one substep. `relist`: for pairs that the same stage did not have before; `again`: for iterations of the same
+    // stage from displacements that have changed otherwise, or from where the last ones ended; `completion`:
     // after an iteration whose state something looks at; `check`: after the last one, where tissue may touch tissue
-    Passes begin, again, before_first, before, refresh, first_iteration, iteration, completion, check, end;
+    Passes begin, relist, again, before_first, before, refresh, first_iteration, iteration, completion, check, end;
     std::array<const Passes*, 8> lists() const {
       return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &check, &end};
     }
@@ -180,7 +182,7 @@ class GpuSolver {
   };
   // The same in few dispatches, where passes can be fused. `first`: the first iteration with the passes before it.
   struct FusedStep {
-    gl::FusedPasses begin, again, first, refresh, iteration, check, end;
+    gl::FusedPasses begin, relist, again, first, refresh, iteration, check, end;
   };
   // A kind of steps, recorded when it is first needed.
   struct StepKind {
@@ -193,6 +195,7 @@ class GpuSolver {
   void take(StepKind& kind);  // for the next steps
   void record(StepKind& kind);
   const StepKind& whole_kind() const { return contact_.acts() && !touches() ? apart_ : whole_; }
+  void run(const Passes& passes, gl::FusedPasses FusedStep::*fused);  // in few dispatches where they are fused
   const FusedStep* fused_step() const;  // of kind_; null where its passes run unfused
   std::optional<FusedStep> fuse(const StepPasses& passes);
   Start start();

@@ -59,6 +59,7 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
     return gl::FusedPasses(programs_, all);
   };
   return FusedStep{joined({&passes.begin}),
+                   joined({&passes.relist}),
                    joined({&passes.again}),
                    joined({&passes.before_first, &passes.first_iteration}),
                    joined({&passes.refresh}),
@@ -91,8 +92,8 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   if (!motions_.empty()) passes.begin.push_back(motions_.pass(programs_, buffers_));
   if (features_.damping && !strains_first) append(passes.begin, strains_at_start(r));
   if (contact_.searches()) {
-    passes.again = r.beginnings();
-    append(passes.again, method_->begin(r));
+    passes.relist = r.beginnings();
+    passes.again = method_->begin(r);
   }
   append(passes.begin, r.beginnings());
   append(passes.begin, method_->begin(r));

@@ -49,10 +49,7 @@ void GpuSolver::begin_stage(const IntegratorStage& stage) {
   published_ = false;
   motions_.upload(model_, time_);
   bodies_.begin(stiffness_of(terms_));
-  if (const FusedStep* fused = fused_step())
-    fused->begin.run();
-  else
-    run(kind_->passes.begin);
+  run(kind_->passes.begin, &FusedStep::begin);
 }
 
 void GpuSolver::begin_step() {
@@ -107,10 +104,7 @@ void GpuSolver::iterate(int iteration, int count) {
 }
 
 void GpuSolver::end_stage() {
-  if (const FusedStep* fused = fused_step())
-    fused->end.run();
-  else
-    run(kind_->passes.end);
+  run(kind_->passes.end, &FusedStep::end);
 }
 
 int GpuSolver::alike_from(int iteration) const {
@@ -136,10 +130,7 @@ void GpuSolver::iterate_all() {
 // the objective, and lets bodies that nothing holds go on as wholes.
 void GpuSolver::end_iterations() {
   if (kind_->passes.check.empty()) return;
-  if (const FusedStep* fused = fused_step())
-    fused->check.run();
-  else
-    run(kind_->passes.check);
+  run(kind_->passes.check, &FusedStep::check);
   if (!is_partial() && !bodies_.empty())
     move_bodies();
   else if (touches())
@@ -156,15 +147,31 @@ void GpuSolver::move_bodies() {
   if (bodies_.move(nullptr, buffers_.vectors_of(aim), stage_.length, u)) buffers_.upload_displacements(u, at);
 }
 
+void GpuSolver::run(const Passes& passes, gl::FusedPasses FusedStep::*fused) {
+  if (const FusedStep* step = fused_step())
+    (step->*fused).run();
+  else
+    run(passes);
+}
+
+// The iterations start from where the tissue is, but for stiff bodies that nothing holds: from where these have their
+// least objective as wholes. By iterations alone a stiff body that is hit turns late, and is stretched by that: turns are
+// far from linear in the displacements that they add. In a soft one a hit stops only what is near.
+void GpuSolver::begin_again(bool stiff) {
+  if (stiff) move_bodies();
+  contact_.stay();
+  run(kind_->passes.again, &FusedStep::again);
+}
+
 void GpuSolver::solve_stage(const IntegratorStage& stage) {
   begin_stage(stage);
+  const bool stiff = !is_partial() && !bodies_.empty() && bodies_.are_stiff(stage.length);
+  if (stiff && contact_.meets()) begin_again(stiff);
   iterate_all();
   int searches = 1;
   for (; searches < PairSearch::kMostSearches && contact_.search_again(buffers_); ++searches) {
-    if (const FusedStep* fused = fused_step())
-      fused->again.run();
-    else
-      run(kind_->passes.again);
+    run(kind_->passes.relist, &FusedStep::relist);
+    begin_again(stiff);
     iterate_all();
   }
   end_stage();

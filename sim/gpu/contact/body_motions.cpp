@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/elements/quadratic_tet.h"
 #include "sim/model/unconstrained_parts.h"
@@ -239,6 +240,17 @@ void BodyMotions::materials_changed() {
   masses_ = moving_masses(*model_);
   weighs_.clear();
   for (const double mass : lumped_masses(*model_)) weighs_.push_back(mass > 0);
+  std::vector<Eigen::AlignedBox3d> boxes(free_.size());
+  std::vector<double> slowest(free_.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t t = 0; t < model_->tets.size(); ++t) {
+    const std::uint32_t body = bodies_[model_->tets[t][0]];
+    const Material& material = model_->materials[model_->tet_material[t]];
+    slowest[body] = std::min(slowest[body], std::sqrt(material.young_modulus / material.density));
+    for (const std::uint32_t v : model_->tets[t]) boxes[body].extend(model_->rest_positions[v]);
+  }
+  crossing_.assign(free_.size(), 0);
+  for (std::size_t b = 0; b < crossing_.size(); ++b)
+    if (!boxes[b].isEmpty()) crossing_[b] = 0.5 * boxes[b].diagonal().norm() / slowest[b];
 }
 
 void BodyMotions::begin(const std::vector<VertexStiffness>& springs) {
@@ -249,6 +261,12 @@ void BodyMotions::begin(const std::vector<VertexStiffness>& springs) {
 
 bool BodyMotions::empty() const {
   return std::none_of(free_.begin(), free_.end(), [](char free) { return free; });
+}
+
+bool BodyMotions::are_stiff(double length) const {
+  for (std::size_t b = 0; b < free_.size(); ++b)
+    if (free_[b] && crossing_[b] > length) return false;
+  return true;
 }
 
 std::vector<BodyInertia> BodyMotions::inertia_of(const std::vector<Vector3d>& predicted,

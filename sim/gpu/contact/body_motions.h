@@ -50,6 +50,9 @@ class BodyMotions {
   /// In a stage with springs at places of the buffers' vertices: bodies that are held, or that a spring pulls, stay.
   void begin(const std::vector<VertexStiffness>& springs);
   bool empty() const;  // whether no body moves, after begin()
+  /// Whether a hit is felt in all of every body that moves within a stage of this length [s]: whether sound goes from
+  /// its middle to its ends, where the tissue is softest.
+  bool are_stiff(double length) const;
   /// Moves the bodies from displacements `u` [vertex of the model]; false: all are where they should be. `contact`:
   /// null where nothing touches; `predicted`: u~ [m]; `length`: of the stage [s].
   bool move(const ContactEnergy* contact, const std::vector<Eigen::Vector3d>& predicted, double length,
@@ -63,9 +66,10 @@ class BodyMotions {
   std::vector<std::uint32_t> bodies_;    // [vertex of the model] UnconstrainedParts::part
   std::vector<std::uint32_t> at_place_;  // [place of a vertex] its body
   MovingMasses masses_;
-  std::vector<char> weighs_;  // [vertex of the model] whether it is of a tet
-  std::vector<char> free_;    // [body] which move; the first one is all that is held
-  double size_ = 0;           // of the tissue [m]
+  std::vector<char> weighs_;      // [vertex of the model] whether it is of a tet
+  std::vector<char> free_;        // [body] which move; the first one is all that is held
+  std::vector<double> crossing_;  // [body] that sound takes from the middle to the ends, at most [s]
+  double size_ = 0;               // of the tissue [m]
 };
 
 }  // namespace fascia

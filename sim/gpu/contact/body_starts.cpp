@@ -64,8 +64,13 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
   bodies_.upload(0, values.size() * sizeof(std::uint32_t), values.data());
 }
 
+bool BodyStarts::meets() const {
+  return std::any_of(shares_.begin(), shares_.end(), [](float share) { return share < 1; });
+}
+
 void BodyStarts::stay() {
-  bodies_.upload(0, shares_.size() * sizeof(float), std::vector<float>(shares_.size()).data());
+  const std::vector<float> none(9 * shares_.size());  // no share, nothing that carries, nor a mass that would be carried
+  bodies_.upload(0, none.size() * sizeof(float), none.data());
 }
 
 void BodyStarts::upload_leaders() {

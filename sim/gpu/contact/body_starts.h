@@ -20,8 +20,10 @@ class BodyStarts {
   void materials_changed(const Model& model);
   /// For a stage in which the tissue has these pairs.
   void begin(const Eigen::Vector3d& gravity, const PairStage& pairs);
-  /// Iterations start where the stage does.
+  /// Iterations start where the tissue is, and not where velocities lead.
   void stay();
+
+  bool meets() const;  // whether some body meets other tissue in the stage
 
   std::uint32_t body_count() const { return static_cast<std::uint32_t>(shares_.size()); }
   const gl::Buffer& bodies() const { return bodies_; }  // contact_bodies

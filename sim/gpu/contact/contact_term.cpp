@@ -298,7 +298,6 @@ bool ContactTerm::search_again(SimBuffers& buffers) {
   if (!pairs_.search_again(buffers, surface_.row_count)) return false;
   read_list_.clear();
   upload_pairs();
-  starts_.stay();
   return true;
 }
 

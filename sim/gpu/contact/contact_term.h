@@ -38,11 +38,14 @@ class ContactTerm : public EnergyTerm {
   bool search_again(SimBuffers& buffers);
   /// After the last search of a stage, which need not have found a way around all that meets; after its end.
   void take_back(SimBuffers& buffers) { pairs_.take_back(buffers); }
-  /// After the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes, and has the
-  /// forces at the end of the stage from places in double precision. Waits for the GPU.
+  /// Before or after the iterations of a stage near tools or tissue: moves bodies that nothing holds as wholes, and has
+  /// the forces at the end of the stage from places in double precision. Waits for the GPU.
   void move_bodies(const BodyMotions& motions, SimBuffers& buffers, gl::Downloads& downloads);
   /// The forces at the end of the stage are those of the GPU's own places.
   void forget_moved_rows();
+  /// Iterations start where the tissue is: bodies were moved since begin_stage().
+  void stay() { starts_.stay(); }
+  bool meets() const { return starts_.meets(); }  // after begin_stage(): whether tissue stops other tissue in the stage
   bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }

@@ -96,6 +96,17 @@ TEST_CASE("with a mesh that cannot be made only the other choices are run") {
   }));
 }
 
+TEST_CASE("of meshes that cannot be made, none with less than half of the tets is proposed") {
+  World world;
+  for (const bool made : {false, true}) {
+    std::vector<Trial> trials{world.trial(1, 1, 10)};
+    const Plan plan = confirmed_plan(trials, 0.9, 1e3, {usual_refinements(), made}, world.run());
+    REQUIRE(plan.within);
+    CAPTURE(made, plan.within->refinement, plan.within->tets);
+    CHECK((plan.within->tets < 499) == made);
+  }
+}
+
 TEST_CASE("a mesh on which the scene does not run is left out") {
   World world;
   std::vector<Trial> trials{world.trial(1, 1, 10)};

@@ -48,6 +48,11 @@ TEST_CASE("finer meshes, more substeps and more iterations cost what they save")
   CHECK(predicted(euler, 1, 2, 10).time == Approx(0.1));
   CHECK(predicted(bdf2, 1, 2, 10).time == Approx(0.005));
   CHECK(predicted(bdf2, 1, 2, 10).ms == Approx(12));
+  // To coarser meshes, quadratic elements lose what fourth powers of the edges say.
+  CHECK(predicted(euler, 0.8, 1, 10).mesh == Approx(0.1 / 0.64));
+  const Trial quadratic = trial_of(ElementOrder::quadratic, Integrator::bdf2, 0.01, 0.02);
+  CHECK(predicted(quadratic, 2, 1, 10).mesh == Approx(0.0025));
+  CHECK(predicted(quadratic, 0.5, 1, 10).mesh == Approx(0.16));
   Trial slow = bdf2, unresolved = bdf2;  // errors of contact fall more slowly
   slow.order = 0.75;
   unresolved.order = 0;
