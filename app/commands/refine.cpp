@@ -57,8 +57,9 @@ std::string describe(const Proposal& p, const Scene& scene) {
                      number(1 / p.refinement) + " times as long), " + name_of(p.integrator) + ", " +
                      plural(static_cast<std::size_t>(p.substeps), "substep") + ", " +
                      plural(static_cast<std::size_t>(p.iterations), "iteration") + "\n  error " + percent(p.error()) +
-                     ": mesh " + percent(p.mesh) + ", time " + percent(p.time) + ", solver " + percent(p.solver) +
-                     "; " + number(p.ms) + " ms a step\n ";
+                     ": " + (p.shape > 0 ? "shape " + percent(p.shape) + ", " : "") + "mesh " + percent(p.mesh) +
+                     ", time " + percent(p.time) + ", solver " + percent(p.solver) + "; " + number(p.ms) +
+                     " ms a step\n ";
   for (const std::string& set : sets_of(p, scene)) text += " --set " + set;
   if (p.other_mesh) {
     if (!has_resolution(scene)) text += "\n  and a mesh with that many tets";

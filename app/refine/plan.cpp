@@ -41,6 +41,18 @@ const Trial& nearest(const Trial& kind, const std::vector<Trial>& trials, double
   return *best;
 }
 
+double shape_error(const Trial& trial, double refinement) {
+  return same_mesh(trial.refinement, refinement) ? trial.shape
+                                                 : trial.shape * std::pow(trial.refinement / refinement, 2);
+}
+
+double shape_error(const std::vector<Trial>& trials, double refinement) {
+  const auto distance = [&](const Trial& trial) { return std::abs(std::log(trial.refinement / refinement)); };
+  return shape_error(*std::min_element(trials.begin(), trials.end(),
+                                       [&](const Trial& a, const Trial& b) { return distance(a) < distance(b); }),
+                     refinement);
+}
+
 double solver_error(const Trial& trial, int iterations) {
   const double few = std::max(trial.solver_few, kRounding), many = std::max(trial.solver_many, kRounding);
   const double rate = std::pow(many / few, 1.0 / (trial.many - trial.few));
@@ -67,6 +79,7 @@ Proposal predicted(const Trial& trial, double refinement, int substeps, int iter
   const double finer = own_mesh ? 1 : refinement / trial.refinement;
   const auto tets = static_cast<double>(trial.tets), kept = static_cast<double>(trial.kept);
   result.tets = kept + (tets - kept) * std::pow(finer, 3);
+  result.shape = shape_error(trial, refinement);
   const bool steep = trial.elements == ElementOrder::quadratic && finer < 1;
   result.mesh = trial.mesh * std::pow(finer, steep ? -4 : -2);
   result.time = trial.time * std::pow(static_cast<double>(trial.substeps) / substeps,
@@ -102,8 +115,9 @@ Plan plan_for(const std::vector<Trial>& trials, double error, double ms, const s
     for (const double refinement : refinements)
       for (const int substeps : kSubsteps)
         for (const int iterations : kIterations) {
-          const Proposal candidate =
+          Proposal candidate =
               predicted(nearest(*kind, trials, refinement, substeps, iterations), refinement, substeps, iterations);
+          candidate.shape = shape_error(trials, refinement);
           if (!std::isfinite(candidate.error()) || (allowed && !allowed(candidate))) continue;
           if (candidate.error() <= error && candidate.ms <= ms) keep(plan.within, candidate, faster);
           if (candidate.error() <= error) keep(plan.exact, candidate, faster);

@@ -18,6 +18,7 @@ struct Trial {
   std::size_t tets = 0;
   std::size_t kept = 0;  // of these: in bodies whose mesh stays as it is
   int substeps = 1;
+  double shape = 0;                        // how far the volume of a filled surface is off, of the body farthest off
   double mesh = 0, time = 0;               // estimated
   double order = 1;                        // at which the error in time falls with the substeps
   bool resolved = true;                    // TimeError::resolved
@@ -34,18 +35,20 @@ struct Proposal {
   double refinement = 1;  // as that of a trial
   double tets = 0;
   int substeps = 1, iterations = 10;
-  double mesh = 0, time = 0, solver = 0;  // predicted
+  double shape = 0, mesh = 0, time = 0, solver = 0;  // predicted
   double ms = 0;
   bool measured = false;    // by the trial, which has all five choices: numbers are those of a run
   bool other_mesh = false;  // than that of the trial: numbers are extrapolated from a mesh of so many tets
   std::size_t from_tets = 0;
 
-  double error() const { return mesh + time + solver; }
+  double error() const { return shape + mesh + time + solver; }
 };
 
 /// What the trial becomes on another mesh, with more substeps and other iterations:
-///   mesh error * (refinement over the trial's)^-2     the order of both elements in general; to coarser meshes, that of
+///   mesh error * (refinement over the trial's)^-2     the order of both elements in general; to coarser meshes, that
+///   of
 ///                                                     quadratic ones is taken for 4, the highest
+///   shape error * (refinement over the trial's)^-2    the least that it falls with as a rule; it does so by leaps
 ///   time error * substeps^-order   the order found, or kLeastOrder where it is less: such errors fall in shorter steps
 ///   solver error: geometric between the two measured numbers of iterations, and beyond them
 ///   time: tets and substeps times that of a tet in a substep, linear in the iterations through both measured times
@@ -63,7 +66,8 @@ std::vector<double> usual_refinements();
 
 /// `error`: relative. `ms`: of a step. `refinements`: of meshes to choose from. A choice follows from the trial of its
 /// elements and integrator that has the most substeps of those that do not have more than it; of several, from the one
-/// with the nearest mesh, then with the nearest iterations. A choice that no trial has is taken for better than one
+/// with the nearest mesh, then with the nearest iterations; its error of shape, which is the same for all, from the trial
+/// with the nearest mesh. A choice that no trial has is taken for better than one
 /// that a trial has only where it promises a tenth more. Choices that `allowed` refuses are left out.
 Plan plan_for(const std::vector<Trial>& trials, double error, double ms,
               const std::vector<double>& refinements = usual_refinements(),

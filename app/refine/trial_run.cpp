@@ -61,6 +61,13 @@ std::size_t kept_tets(const OpenedScene& opened) {
   return has_resolution(opened.scene) ? kept : 0;
 }
 
+/// A body that is too thick or too thin by a share is too stiff or too soft by that at least.
+double shape_error(const Model& model) {
+  double most = 0;
+  for (const BodyPart& body : model.bodies) most = std::max(most, std::abs(body.filled.value_or(1) - 1));
+  return most;
+}
+
 /// None: interrupted.
 std::optional<Trial> trial_of(const OpenedScene& opened, const TrialRuns& runs, const Proposal& choice,
                               const Trial* alike) {
@@ -71,6 +78,7 @@ std::optional<Trial> trial_of(const OpenedScene& opened, const TrialRuns& runs, 
   trial.refinement = choice.refinement;
   trial.tets = model.tets.size();
   trial.kept = kept_tets(opened);
+  trial.shape = shape_error(model);
   trial.substeps = choice.substeps;
   trial.few = std::min(trial.few, choice.iterations);
   trial.many = std::max(trial.many, choice.iterations);
@@ -112,7 +120,8 @@ std::optional<Trial> trial_of(const OpenedScene& opened, const TrialRuns& runs, 
 std::string text_of(const Trial& trial) {
   const std::string substeps = trial.substeps == 1 ? "" : ", " + std::to_string(trial.substeps) + " substeps";
   return std::to_string(trial.tets) + ' ' + name_of(trial.elements) + " tets, " + name_of(trial.integrator) + substeps +
-         ": mesh " + number(100 * trial.mesh) + " %, time " + number(100 * trial.time) +
+         (trial.shape > 0 ? ": shape " + number(100 * trial.shape) + " %, mesh " : ": mesh ") +
+         number(100 * trial.mesh) + " %, time " + number(100 * trial.time) +
          (trial.resolved ? " %" : " % (not resolved)") + ", solver " + number(100 * trial.solver_few) + " % with " +
          std::to_string(trial.few) + " iterations and " + number(100 * trial.solver_many) + " % with " +
          std::to_string(trial.many) + "; " + number(trial.ms_few) + " and " + number(trial.ms_many) + " ms a step";

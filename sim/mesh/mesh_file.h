@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct MeshFile {
     std::size_t hexahedra = 0, wedges = 0, pyramids = 0, tets = 0;  // cells, and the tets they became
   } split;
   std::vector<MidEdges> mid_edges;  // [tet_count] of tets of ten nodes, kNoMidEdges of others; or empty
+  std::optional<double> filled;     // volume of tets that fill a surface, over what that encloses
   std::vector<std::string> notes;   // about other skipped or changed content, one sentence each
 
   bool is_surface() const { return mesh.tets.empty() && !faces.ends.empty(); }

@@ -324,6 +324,7 @@ void add_body(LoadedBody loaded, Model& model) {
   part.vertex_begin = static_cast<std::uint32_t>(model.file_mesh.positions.size());
   part.tet_begin = static_cast<std::uint32_t>(model.tets.size());
   part.tet_count = static_cast<std::uint32_t>(loaded.repaired.tets.size());
+  part.filled = loaded.file.filled;
   add_notes(loaded, model.notes);
   add_regions(model, loaded, part);
   add_materials(loaded, model, part);

@@ -44,6 +44,7 @@ struct BodyPart {
   std::uint32_t material_begin = 0, material_count = 0;
   std::map<int, std::string> regions;  // of its mesh and of Body::regions: number, and name if there is one
   std::set<int> added_regions{};       // those that the mesh file does not have
+  std::optional<double> filled{};      // volume of tets that fill a surface, over what that encloses
 };
 
 /// The vertices of one element: four corners, and then the six mid-edge vertices of a quadratic tet.

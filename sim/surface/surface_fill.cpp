@@ -96,15 +96,16 @@ FilledSurface fill_surface(SurfaceMesh surface, const std::string& where, std::o
     filled.file.notes.push_back("the surface overlaps itself, and what it encloses several times is filled once (" +
                                 number(100 * (1 - 1 / overlap)) +
                                 " % of its volume); a shell is a cavity if its triangles are reversed");
+  double volume = 0;
+  const auto& x = filled.file.mesh.positions;
+  for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
+  const double ratio = overlap * volume / found.volume;
+  filled.file.filled = ratio;
   if (whole > 0) {
-    double volume = 0;
-    const auto& x = filled.file.mesh.positions;
-    for (const Tet& t : filled.file.mesh.tets) volume += signed_volume6(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) / 6;
     // A sharp edge is thinner than any lattice: only a visible difference is reported, and a part as long as a cell.
     constexpr double kVolume = 0.02, kShare = 0.1;
     constexpr std::size_t kApart = 12;  // tets of a cell
     const double share = static_cast<double>(whole) / static_cast<double>(filled.file.mesh.tets.size());
-    const double ratio = overlap * volume / found.volume;
     const bool notable = std::abs(ratio - 1) > kVolume || share > kShare || apart >= kApart;
     if (notable)
       filled.file.notes.push_back(

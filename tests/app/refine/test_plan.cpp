@@ -53,6 +53,10 @@ TEST_CASE("finer meshes, more substeps and more iterations cost what they save")
   const Trial quadratic = trial_of(ElementOrder::quadratic, Integrator::bdf2, 0.01, 0.02);
   CHECK(predicted(quadratic, 2, 1, 10).mesh == Approx(0.0025));
   CHECK(predicted(quadratic, 0.5, 1, 10).mesh == Approx(0.16));
+  Trial thick = euler;  // than the surface that its tets fill
+  thick.shape = 0.3;
+  CHECK(predicted(thick, 2, 1, 10).shape == Approx(0.075));
+  CHECK(predicted(thick, 1, 1, 10).error() == Approx(predicted(euler, 1, 1, 10).error() + 0.3));
   Trial slow = bdf2, unresolved = bdf2;  // errors of contact fall more slowly
   slow.order = 0.75;
   unresolved.order = 0;
@@ -135,6 +139,24 @@ TEST_CASE("a choice follows from the trial with its substeps whose mesh is neare
   REQUIRE(two.fast);
   CHECK(two.fast->from_tets == 5000);
   CHECK(two.fast->mesh == Approx(0.05));
+}
+
+TEST_CASE("what a filled surface's volume is off is known for all elements from one run on a mesh") {
+  Trial linear = trial_of(ElementOrder::linear, Integrator::bdf2, 0.2, 0.02);
+  Trial quadratic = trial_of(ElementOrder::quadratic, Integrator::bdf2, 0.02, 0.02);
+  linear.shape = quadratic.shape = 0.4;
+  Trial fine = linear;
+  fine.refinement = 2;
+  fine.tets = 40000;
+  fine.shape = 0.01;
+  const auto shape_of = [&](const std::vector<Trial>& trials) {
+    const Plan plan =
+        plan_for(trials, 1, 1e9, {2}, [](const Proposal& p) { return p.elements == ElementOrder::quadratic; });
+    REQUIRE(plan.fast);
+    return plan.fast->shape;
+  };
+  CHECK(shape_of({linear, quadratic}) == Approx(0.1));
+  CHECK(shape_of({linear, quadratic, fine}) == Approx(0.01));
 }
 
 TEST_CASE("a proposal is measured if a trial has all five of its choices, and then has its numbers") {

@@ -62,6 +62,7 @@ TEST_CASE("every file of a box is filled as that box is") {
     return volume;
   };
   const MeshFile box = fill_surface(test::make_box_surface({0.1, 0.2, 0.3}), "box", 8).file;
+  CHECK(box.filled.value() == Approx(volume_of(box.mesh) / (0.1 * 0.2 * 0.3)).epsilon(1e-6));
   for (const auto& entry : std::filesystem::directory_iterator(test::test_dir() / "data/meshes/surfaces")) {
     INFO(entry.path().filename().string());
     const MeshFile file = read_mesh_or_fill(entry.path(), 8);
