@@ -66,9 +66,9 @@ std::vector<double> usual_refinements();
 
 /// `error`: relative. `ms`: of a step. `refinements`: of meshes to choose from. A choice follows from the trial of its
 /// elements and integrator that has the most substeps of those that do not have more than it; of several, from the one
-/// with the nearest mesh, then with the nearest iterations; its error of shape, which is the same for all, from the trial
-/// with the nearest mesh. A choice that no trial has is taken for better than one
-/// that a trial has only where it promises a tenth more. Choices that `allowed` refuses are left out.
+/// with the nearest mesh, then with the nearest iterations; its error of shape, which is the same for all, from the
+/// trial with the nearest mesh. A choice that no trial has is taken for better than one that a trial has only where it
+/// promises a tenth more. Choices that `allowed` refuses are left out.
 Plan plan_for(const std::vector<Trial>& trials, double error, double ms,
               const std::vector<double>& refinements = usual_refinements(),
               const std::function<bool(const Proposal&)>& allowed = {});

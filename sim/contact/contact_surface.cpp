@@ -101,8 +101,8 @@ bool turns_off(const Tool& tool) {
 
 std::string note_on_edges(const Tool& tool, double round) {
   char text[160];
-  std::snprintf(text, sizeof text, ": may hook into tissue with its sharp edges where it slides; a round of %.2g m helps",
-                round);
+  std::snprintf(text, sizeof text,
+                ": may hook into tissue with its sharp edges where it slides; a round of %.2g m helps", round);
   return tool.name + text;
 }
 
@@ -260,8 +260,8 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
 }
 
 ContactSurface make_contact_surface(const Model& model) {
-  // Of the longest edge: a quarter of what points near sharp edges are apart, and half of that. Without it, rounding says
-  // which points of a flat face bear first.
+  // Of the longest edge: a quarter of what points near sharp edges are apart, and half of that. Without it, rounding
+  // says which points of a flat face bear first.
   constexpr double kResolved = 1.0 / 16, kFirstReach = 1.0 / 32;
   ContactSurface surface;
   if (model.tools.empty()) return surface;

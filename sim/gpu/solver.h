@@ -196,7 +196,7 @@ class GpuSolver {
   void record(StepKind& kind);
   const StepKind& whole_kind() const { return contact_.acts() && !touches() ? apart_ : whole_; }
   void run(const Passes& passes, gl::FusedPasses FusedStep::*fused);  // in few dispatches where they are fused
-  const FusedStep* fused_step() const;  // of kind_; null where its passes run unfused
+  const FusedStep* fused_step() const;                                // of kind_; null where its passes run unfused
   std::optional<FusedStep> fuse(const StepPasses& passes);
   Start start();
   Recording recording(const ActiveSet* active, bool contact);

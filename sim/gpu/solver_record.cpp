@@ -58,14 +58,10 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
     for (const Passes* list : lists) append(all, *list);
     return gl::FusedPasses(programs_, all);
   };
-  return FusedStep{joined({&passes.begin}),
-                   joined({&passes.relist}),
-                   joined({&passes.again}),
-                   joined({&passes.before_first, &passes.first_iteration}),
-                   joined({&passes.refresh}),
-                   joined({&passes.before, &passes.iteration}),
-                   joined({&passes.check}),
-                   joined({&passes.end})};
+  return FusedStep{joined({&passes.begin}),   joined({&passes.relist}),
+                   joined({&passes.again}),   joined({&passes.before_first, &passes.first_iteration}),
+                   joined({&passes.refresh}), joined({&passes.before, &passes.iteration}),
+                   joined({&passes.check}),   joined({&passes.end})};
 }
 
 Start GpuSolver::start() {

@@ -103,9 +103,7 @@ void GpuSolver::iterate(int iteration, int count) {
   run(iteration == 0 ? kind_->passes.first_iteration : kind_->passes.iteration);
 }
 
-void GpuSolver::end_stage() {
-  run(kind_->passes.end, &FusedStep::end);
-}
+void GpuSolver::end_stage() { run(kind_->passes.end, &FusedStep::end); }
 
 int GpuSolver::alike_from(int iteration) const {
   int end = iteration + 1;
@@ -155,8 +153,8 @@ void GpuSolver::run(const Passes& passes, gl::FusedPasses FusedStep::*fused) {
 }
 
 // The iterations start from where the tissue is, but for stiff bodies that nothing holds: from where these have their
-// least objective as wholes. By iterations alone a stiff body that is hit turns late, and is stretched by that: turns are
-// far from linear in the displacements that they add. In a soft one a hit stops only what is near.
+// least objective as wholes. By iterations alone a stiff body that is hit turns late, and is stretched by that: turns
+// are far from linear in the displacements that they add. In a soft one a hit stops only what is near.
 void GpuSolver::begin_again(bool stiff) {
   if (stiff) move_bodies();
   contact_.stay();

@@ -100,8 +100,7 @@ std::vector<ProfilePoint> cylinder_profile(double length, double radius, double 
     for (int ring = 0; ring <= kRings; ring += round > 0 ? 1 : kRings) {
       const double angle = (upper ? 0 : -1) * std::numbers::pi / 2 + std::numbers::pi / 2 * ring / kRings;
       const double along = std::sin(angle), away = std::cos(angle);
-      profile.push_back(
-          {(upper ? length - round : round) + round * along, radius - round + round * away, along, away});
+      profile.push_back({(upper ? length - round : round) + round * along, radius - round + round * away, along, away});
     }
   profile.push_back({length, 0, 1, 0});
   return profile;

@@ -69,7 +69,8 @@ bool BodyStarts::meets() const {
 }
 
 void BodyStarts::stay() {
-  const std::vector<float> none(9 * shares_.size());  // no share, nothing that carries, nor a mass that would be carried
+  const std::vector<float> none(9 *
+                                shares_.size());  // no share, nothing that carries, nor a mass that would be carried
   bodies_.upload(0, none.size() * sizeof(float), none.data());
 }
 

@@ -46,7 +46,7 @@ class ContactTerm : public EnergyTerm {
   /// Iterations start where the tissue is: bodies were moved since begin_stage().
   void stay() { starts_.stay(); }
   bool meets() const { return starts_.meets(); }  // after begin_stage(): whether tissue stops other tissue in the stage
-  bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
+  bool cuts() const { return pairs_.cuts(); }     // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
   double search_ms() const { return pairs_.search_ms(); }  // for pairs, so far

@@ -27,9 +27,12 @@ struct ShapeKeys {
   }
 };
 const std::vector<ShapeKeys> kWords = {
-    {"sphere", {"radius"}, {"center"}},          {"capsule", {"radius", "length"}, {}},
-    {"box", {"half_size"}, {"center", "round"}}, {"plane", {"normal"}, {"point"}},
-    {"cylinder", {"radius", "length"}, {"round"}}, {"mesh", {"file"}, {"scale"}},
+    {"sphere", {"radius"}, {"center"}},
+    {"capsule", {"radius", "length"}, {}},
+    {"box", {"half_size"}, {"center", "round"}},
+    {"plane", {"normal"}, {"point"}},
+    {"cylinder", {"radius", "length"}, {"round"}},
+    {"mesh", {"file"}, {"scale"}},
 };
 const std::vector<std::string> kMotionKeys = {"from", "to", "start", "duration", "rotate_deg", "grip"};
 

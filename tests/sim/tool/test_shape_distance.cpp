@@ -13,9 +13,12 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 std::vector<ToolShape> shapes() {
-  return {SphereShape{{0.1, -0.2, 0.3}, 0.4},        CapsuleShape{{0, 0, 0}, {0.3, 0.5, -0.2}, 0.2},
-          BoxShape{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0}, BoxShape{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0.1},
-          PlaneShape{{0, 0.1, 0}, {1, 2, 0.5}},      CylinderShape{{0, -0.2, 0}, {0.2, 0.3, 0.1}, 0.25, 0},
+  return {SphereShape{{0.1, -0.2, 0.3}, 0.4},
+          CapsuleShape{{0, 0, 0}, {0.3, 0.5, -0.2}, 0.2},
+          BoxShape{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0},
+          BoxShape{{0.1, 0, 0}, {0.3, 0.2, 0.4}, 0.1},
+          PlaneShape{{0, 0.1, 0}, {1, 2, 0.5}},
+          CylinderShape{{0, -0.2, 0}, {0.2, 0.3, 0.1}, 0.25, 0},
           CylinderShape{{0, -0.2, 0}, {0.2, 0.3, 0.1}, 0.25, 0.1}};
 }
 

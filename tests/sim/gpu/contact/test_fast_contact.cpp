@@ -93,7 +93,8 @@ std::size_t cuts_between_bodies(const Model& model, std::vector<Vector3d> displa
 }
 
 // In one step the cubes would go through most of each other, ten times as fast as waves go in them.
-// Iterations alone stretched the cube as they turned it: elastic energy rose to 0.03 J here, and to 0.5 J on another mesh.
+// Iterations alone stretched the cube as they turned it: elastic energy rose to 0.03 J here, and to 0.5 J on another
+// mesh.
 TEST_CASE("a stiff cube that falls on the edge of a stiff beam gains no energy", "[gpu][contact]") {
   const auto [order, iterations] = GENERATE(std::pair(ElementOrder::linear, 5), std::pair(ElementOrder::linear, 10),
                                             std::pair(ElementOrder::quadratic, 10));
