@@ -52,7 +52,8 @@ class FileDialogs {
                     {{".vtu", "ParaView: displacement, velocity, strain, stress, J"},
                      {".csv", "index,x,y,z of every vertex [m]"},
                      {".msh", "the deformed mesh, for Gmsh"},
-                     {".obj", "the deformed surface"}}};
+                     {".obj", "the deformed surface"},
+                     {".inp", "the scene, for Abaqus and CalculiX"}}};
   SaveDialog replay_{"Save the replay of this session", {{".fascia", ""}}};
   bool start_open_ = false, start_recent_ = false;
 };

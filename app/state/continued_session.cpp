@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/state/element_orders.h"
+#include "sim/contact/carried_memory.h"
 
 namespace fascia {
 
@@ -14,6 +15,7 @@ std::unique_ptr<Session> continued_session(Graphics& graphics, Session& old, Sce
     model.notes.insert(model.notes.begin(), before.notes.front());
   }
   State state = with_elements(old.simulation.state(), old.simulation.model, model);
+  state.contact = carried_memory(old.simulation.model, state.contact, model);
   for (const std::uint32_t v : model.fixed) {
     state.displacement[v].setZero();
     state.velocity[v].setZero();

@@ -61,7 +61,9 @@ void Stage::save(const std::filesystem::path& path, bool with_mesh) {
 
 void Stage::export_state(const std::filesystem::path& path) {
   write_state(path, simulation().model, export_fields(simulation(), simulation().state(), path), provenance());
-  messages.say("Exported " + path.string());
+  const std::string ending = path.extension().string();
+  const bool tools_beside = !simulation().model.tools.empty() && (ending == ".vtu" || ending == ".obj");
+  messages.say("Exported " + path.string() + (tools_beside ? ", and the tools beside it as .obj" : ""));
 }
 
 }  // namespace fascia

@@ -132,8 +132,10 @@ std::optional<ToolPlace> InstrumentHand::commanded() const {
 double InstrumentHand::gap(const Session& session) const {
   if (!picked_ || !commanded_) return 0;
   const Simulation& simulation = session.simulation;
-  return way_between(simulation.model.tools[*picked_], simulation.tool_places()[*picked_], commanded_->place(),
-                     2 * session.look.radius);
+  constexpr double kRounding = 1e-12;  // of turned axes, in sizes of the scene
+  const double gap = way_between(simulation.model.tools[*picked_], simulation.tool_places()[*picked_],
+                                 commanded_->place(), 2 * session.look.radius);
+  return gap > kRounding * session.look.radius ? gap : 0;
 }
 
 }  // namespace fascia

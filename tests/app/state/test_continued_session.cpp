@@ -1,5 +1,6 @@
 #include "app/state/continued_session.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "app/session/open_input.h"
@@ -29,4 +30,28 @@ TEST_CASE("a mesh on its own keeps what was guessed about it when its elements o
     CHECK(now.plan->up_reason == model.plan->up_reason);
     CHECK(now.notes == model.notes);
   }
+}
+
+TEST_CASE("bodies that lie on each other lie on where an instrument comes") {
+  Graphics graphics = open_graphics(headless(), false);
+  Opened opened = open_file(source_dir() / "assets/scenes/stack.json");
+  Session session(graphics, std::move(opened.scene), std::move(opened.model), false);
+  for (int step = 0; step < 90; ++step) session.simulation.step();
+  const auto fastest = [](Simulation& simulation) {
+    double most = 0;
+    for (const Eigen::Vector3d& v : simulation.state().velocity) most = std::max(most, v.norm());
+    return most;
+  };
+  const double before = fastest(session.simulation);
+  Scene scene = session.simulation.scene;
+  scene.tools.instruments.push_back({"ball", SphereShape{{0, 0, 0}, 0.02}, {}, {{}}, false});
+  scene.tools.instruments[0].path[0].position = {0, 1, 0};
+  const auto with_ball = continued_session(graphics, session, scene);
+  double most = 0;
+  for (int step = 0; step < 5; ++step) {
+    with_ball->simulation.step();
+    most = std::max(most, fastest(with_ball->simulation));
+  }
+  CAPTURE(before, most);
+  CHECK(most < before + 0.01);  // [m/s]
 }
