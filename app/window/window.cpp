@@ -361,10 +361,8 @@ void Window::add_instrument(InstrumentPreset preset) {
   const Simulation& simulation = stage_.simulation();
   Eigen::AlignedBox3d bodies;
   const std::vector<Eigen::Vector3d> displacement = simulation.state().displacement;
-  for (std::size_t v = 0; v < displacement.size(); ++v) {
+  for (std::size_t v = 0; v < displacement.size(); ++v)
     bodies.extend(simulation.model.rest_positions[v] + displacement[v]);
-    bodies.extend(simulation.model.rest_positions[v]);  // to which a reset takes them
-  }
   std::vector<std::string> taken;
   for (const Tool& tool : simulation.model.tools) taken.push_back(tool.name);
   for (const BodyPart& body : simulation.model.bodies) taken.push_back(body.name);
