@@ -1,5 +1,5 @@
-// What contact remembers of a step, for the next one of a model with other tools: rows of tools and of the tissue follow
-// one another, so that those behind a tool that comes or goes have other places.
+// What contact remembers of a step, for the next one of a model with other tools: rows of tools and of the tissue
+// follow one another, so that those behind a tool that comes or goes have other places.
 #pragma once
 #include "sim/model/model.h"
 #include "sim/model/state.h"
