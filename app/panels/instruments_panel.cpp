@@ -40,7 +40,7 @@ void hand_rows(const Tool& tool, const InstrumentState& state, Requests& request
   ui::fact(
       "Gap", engineering(state.gap, "m"),
       "Way of its farthest point to the place that the hand commands. Near tissue an instrument moves by at most a "
-      "quarter of its finest radius in a step, so that it neither passes through tissue nor tears it");
+      "quarter of its finest radius in a step, so that it touches what it meets");
   if (tool.has_jaws) {
     ui::ButtonRow jaws(2);
     const auto add = [&](const char* text, double grip, const char* help) {

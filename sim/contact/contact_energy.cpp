@@ -33,7 +33,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       Row& row = rows_.emplace_back();
       row.piece = i;
       row.point = p;
-      const Vector3d local = before.to_local(position(surface.points[p], start));
+      const Vector3d local = before.to_local(surface.points[p].place(model.rest_positions, start));
       row.stiffness = stiffness[piece.first_row + p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
@@ -42,9 +42,9 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.sliding = sliding_penalty(row.stiffness, tool.friction * row.bearing, surface.full_slip);
       row.friction.setZero();
       if (!aim.empty())
-        if (const auto entry =
-                entry_into(tool.shape, local, after.to_local(position(surface.points[p], aim)),
-                           after.to_local(position(surface.points[p], start)), 0.5 * model.contact.thickness)) {
+        if (const auto entry = entry_into(
+                tool.shape, local, after.to_local(surface.points[p].place(model.rest_positions, aim)),
+                after.to_local(surface.points[p].place(model.rest_positions, start)), 0.5 * model.contact.thickness)) {
           row.normal = after.axes * entry->normal;
           row.plane = entry->offset + row.normal.dot(after.origin);
         }
@@ -71,26 +71,10 @@ void ContactEnergy::put_rows(std::vector<RowState>& states, const VectorXd& u) c
   pairs_.put_rows(states, u);
 }
 
-Vector3d ContactEnergy::position(const ContactPoint& point, const VectorXd& u) const {
-  Vector3d x(0, 0, 0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t v = point.vertices[k];
-    x += point.weights[k] * (model_.rest_positions[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)));
-  }
-  return x;
-}
-
-Vector3d ContactEnergy::position(const ContactPoint& point, const std::vector<Vector3d>& u) const {
-  Vector3d x(0, 0, 0);
-  for (std::size_t k = 0; k < 3; ++k)
-    x += point.weights[k] * (model_.rest_positions[point.vertices[k]] + u[point.vertices[k]]);
-  return x;
-}
-
 ContactEnergy::Contact ContactEnergy::contact_of(const Row& row, const VectorXd& u) const {
   const Piece& placed = piece_of(row);
   Contact contact;
-  contact.x = position(point_of(row), u);
+  contact.x = point_of(row).place(model_.rest_positions, u);
   ShapeDistance distance{row.plane ? row.normal.dot(contact.x) - *row.plane : 0, row.normal, Matrix3d::Zero()};
   if (!row.plane) {
     distance = distance_to(*placed.shape, placed.pose.to_local(contact.x));

@@ -86,8 +86,6 @@ class ContactEnergy {
   Contact contact_of(const Row& row, const Eigen::VectorXd& u) const;
   /// [m] largest coordinate that the force is computed from
   static double reach_of(const Contact& contact, const Piece& placed);
-  Eigen::Vector3d position(const ContactPoint& point, const Eigen::VectorXd& u) const;
-  Eigen::Vector3d position(const ContactPoint& point, const std::vector<Eigen::Vector3d>& u) const;
   std::uint32_t memory_row(const Row& row) const { return surface_.pieces[row.piece].first_row + row.point; }
   const Piece& piece_of(const Row& row) const { return pieces_[row.piece]; }
   const ContactPoint& point_of(const Row& row) const { return surface_.points[row.point]; }

@@ -209,9 +209,7 @@ bool begins_inside(const Model& model, const ContactSurface& surface, const Cont
   const auto holds = [&](const Tet& tet) { return is_in(tet, x, middle); };
   if (std::none_of(model.tets.begin(), model.tets.end(), holds)) return false;
   return std::none_of(surface.points.begin(), surface.points.begin() + piece.points, [&](const ContactPoint& point) {
-    Vector3d place(0, 0, 0);
-    for (std::size_t k = 0; k < 3; ++k) place += point.weights[k] * x[point.vertices[k]];
-    return distance_to(tool.shape, pose.to_local(place)).distance <= 0.5 * model.contact.thickness;
+    return distance_to(tool.shape, pose.to_local(point.at(x))).distance <= 0.5 * model.contact.thickness;
   });
 }
 
@@ -231,11 +229,8 @@ double depth_in_tissue(const Model& model, const ContactSurface& surface, const 
     const Vector3d middle = pose.to_scene(middle_of(shape));
     if (std::any_of(model.tets.begin(), model.tets.end(), [&](const Tet& tet) { return is_in(tet, x, middle); }))
       return 1;
-    for (std::uint32_t p = 0; p < piece.points; ++p) {
-      Vector3d at(0, 0, 0);
-      for (std::size_t k = 0; k < 3; ++k) at += surface.points[p].weights[k] * x[surface.points[p].vertices[k]];
-      depth = std::max(depth, -distance_to(shape, pose.to_local(at)).distance);
-    }
+    for (std::uint32_t p = 0; p < piece.points; ++p)
+      depth = std::max(depth, -distance_to(shape, pose.to_local(surface.points[p].at(x))).distance);
   }
   return depth / deep;
 }

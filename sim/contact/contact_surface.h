@@ -23,6 +23,28 @@ struct ContactPoint {
   std::array<std::uint32_t, 3> vertices;
   std::array<double, 3> weights;
   double area;  // [m^2] that a vertex there would stand for: as much at every level
+
+  /// Of values [vertex], that at the point.
+  Eigen::Vector3d at(const std::vector<Eigen::Vector3d>& values) const {
+    return sum_of([&](std::uint32_t v) -> const Eigen::Vector3d& { return values[v]; });
+  }
+  /// [m] where the point is, of rest positions and displacements [vertex].
+  Eigen::Vector3d place(const std::vector<Eigen::Vector3d>& rest, const std::vector<Eigen::Vector3d>& u) const {
+    return sum_of([&](std::uint32_t v) -> Eigen::Vector3d { return rest[v] + u[v]; });
+  }
+  /// Of u [3 * vertex].
+  Eigen::Vector3d place(const std::vector<Eigen::Vector3d>& rest, const Eigen::VectorXd& u) const {
+    return sum_of(
+        [&](std::uint32_t v) -> Eigen::Vector3d { return rest[v] + u.segment<3>(3 * static_cast<Eigen::Index>(v)); });
+  }
+
+ private:
+  template <class OfVertex>
+  Eigen::Vector3d sum_of(const OfVertex& value) const {
+    Eigen::Vector3d sum(0, 0, 0);
+    for (std::size_t k = 0; k < 3; ++k) sum += weights[k] * value(vertices[k]);
+    return sum;
+  }
 };
 
 /// A rigid piece of a tool, and the rows that it has: one for each point of its level.

@@ -99,11 +99,7 @@ State first_state(const Model& model) {
       const ContactPoint& point = surface.points[p];
       const std::uint32_t part = free.part[point.vertices[0]];
       if (part == 0) continue;
-      Vector3d x(0, 0, 0), velocity(0, 0, 0);
-      for (std::size_t k = 0; k < 3; ++k) {
-        x += point.weights[k] * model.rest_positions[point.vertices[k]];
-        velocity += point.weights[k] * state.velocity[point.vertices[k]];
-      }
+      const Vector3d x = point.at(model.rest_positions), velocity = point.at(state.velocity);
       if (!has_row(surface, piece, p, tool.shape, x, pose, pose, 0)) continue;
       const ShapeDistance distance = distance_to(tool.shape, pose.to_local(x));
       const double gap = distance.distance - 0.5 * model.contact.thickness;

@@ -10,13 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d place_of(const ContactPoint& point, const Model& model, const std::vector<Vector3d>& u) {
-  Vector3d x(0, 0, 0);
-  for (std::size_t k = 0; k < 3; ++k)
-    x += point.weights[k] * (model.rest_positions[point.vertices[k]] + u[point.vertices[k]]);
-  return x;
-}
-
 /// [point] how many share the stiffness of one, by the forces [point]: those before, or less the expected ones.
 std::vector<double> sharing(const ContactSurface& surface, const std::vector<double>& forces, std::size_t vertices) {
   struct Sums {
@@ -61,11 +54,11 @@ std::vector<double> row_stiffness(const Model& model, const ContactSurface& surf
     for (std::uint32_t p = 0; p < piece.points; ++p) {
       const ContactPoint& point = surface.points[p];
       const double before = memory.size() < surface.row_count ? 0 : memory[piece.first_row + p].normal;
-      if (!has_row(surface, piece, p, tool.shape, place_of(point, model, start), from, to, before)) {
+      if (!has_row(surface, piece, p, tool.shape, point.place(model.rest_positions, start), from, to, before)) {
         rows[piece.first_row + p] = 0;
         continue;
       }
-      const double gap = distance_to(tool.shape, to.to_local(place_of(point, model, ahead))).distance;
+      const double gap = distance_to(tool.shape, to.to_local(point.place(model.rest_positions, ahead))).distance;
       const double reach = 0.5 * model.contact.thickness + surface.first_reach;
       forces[p] = before > 0 ? before : std::min(0.0, stiffness[p] * (gap - reach));
     }
