@@ -45,10 +45,9 @@ struct Proposal {
 };
 
 /// What the trial becomes on another mesh, with more substeps and other iterations:
-///   mesh error * (refinement over the trial's)^-2     the order of both elements in general; to coarser meshes, that
-///   of
-///                                                     quadratic ones is taken for 4, the highest
-///   shape error * (refinement over the trial's)^-2    the least that it falls with as a rule; it does so by leaps
+///   mesh error * (refinement over the trial's)^-2     the order of both elements in general
+///              * (refinement over the trial's)^-4     on coarser meshes of quadratic tets, whose order is up to that
+///   shape error * (refinement over the trial's)^-2    a guess: it falls by leaps, and a run on the mesh tells
 ///   time error * substeps^-order   the order found, or kLeastOrder where it is less: such errors fall in shorter steps
 ///   solver error: geometric between the two measured numbers of iterations, and beyond them
 ///   time: tets and substeps times that of a tet in a substep, linear in the iterations through both measured times

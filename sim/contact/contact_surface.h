@@ -67,7 +67,7 @@ struct ContactSurface {
   double edge_width = 0;             // [m] how far from edges of pieces all of their points have rows
   double first_reach = 0;            // [m] how near to pieces points count as bearing at a first touch
   double full_slip = 0;              // [m] after which any point bears all of its friction (contact_block.h)
-  std::vector<std::string> notes;    // tools that are too thin for the surface, one line each
+  std::vector<std::string> notes;    // tools that are too thin or too sharp for the surface, one line each
 
   bool empty() const { return row_count == 0; }
 };

@@ -7,9 +7,9 @@
 
 namespace fascia {
 
-/// A vector and a number as a row of a buffer.
 /// What float32 loses of it.
 Eigen::Vector3d rounding_of(const Eigen::Vector3d& v);
+/// A vector and a number as a row of a buffer.
 shared::vec4 row_of(const Eigen::Vector3d& v, double w = 0);
 
 struct PieceRows {

@@ -81,7 +81,6 @@ TEST_CASE("a cube lies on a thin plate that is lifted fast", "[gpu][contact]") {
   CHECK(force == Approx(kLoad).epsilon(1e-3));
 }
 
-// From 2 m/s on it jumped over the slab, and pressed it from below with 1.6 N.
 // Many of the points above the box touch it and bear nothing.
 TEST_CASE("a box that is smaller than a cube carries all of its weight", "[gpu][contact]") {
   const double friction = GENERATE(0.0, 0.5);
@@ -96,6 +95,7 @@ TEST_CASE("a box that is smaller than a cube carries all of its weight", "[gpu][
   CHECK(load.force.y() == Approx(kLoad).epsilon(2e-6));
 }
 
+// From 2 m/s on it jumped over the slab, and pressed it from below with 1.6 N.
 TEST_CASE("a ball on a path presses on the side that it comes from, however far it moves in a step", "[gpu][contact]") {
   const double speed = GENERATE(0.5, 2.0, 5.0);
   Model model = test::make_model(make_box(8, 2, 8, {0.1, 0.02, 0.1}), test::squared(2e4),
