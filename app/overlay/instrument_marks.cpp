@@ -26,15 +26,18 @@ Vector3d spot_of(const Tool& tool, const ToolPlace& place) {
 
 std::vector<InstrumentMark> instrument_marks(const Simulation& simulation, const std::vector<ToolLoad>& loads,
                                              std::optional<std::size_t> picked,
-                                             const std::optional<ToolPlace>& commanded) {
+                                             const std::optional<ToolPlace>& commanded, bool waits) {
   const std::vector<Tool>& tools = simulation.model.tools;
   std::vector<InstrumentMark> marks;
   if (simulation.scene.tools.instruments.empty()) return marks;
   const std::vector<ToolPlace> places = simulation.tool_places();
   for (std::size_t t = tools.size() - simulation.scene.tools.instruments.size(); t < tools.size(); ++t) {
-    InstrumentMark mark{spot_of(tools[t], places[t]), std::nullopt, std::nullopt};
+    InstrumentMark mark{spot_of(tools[t], places[t]), std::nullopt, std::nullopt, false};
     if (t < loads.size() && loads[t].points > 0) mark.force = loads[t].force.norm();
-    if (picked == t && commanded) mark.commanded = spot_of(tools[t], *commanded);
+    if (picked == t && commanded) {
+      mark.commanded = spot_of(tools[t], *commanded);
+      mark.waits = waits;
+    }
     if (mark.force || mark.commanded) marks.push_back(mark);
   }
   return marks;
@@ -63,7 +66,7 @@ void draw_instrument_marks(const MarkArea& area, const Session& session, const s
       list.AddCircle(*there, ui::px(6), color, 0, ui::px(1.6f));
     }
     if (!mark.force || !shown.forces) continue;
-    const std::string force = engineering(*mark.force, "N");
+    const std::string force = engineering(*mark.force, "N") + (mark.waits ? ", tissue is crushed" : "");
     const Box label = places.place(ui::pill_box(force, here->x + ui::px(44), here->y - ui::px(34)));
     ui::pill(list, force, 0.5f * (label.left + label.right), label.top, ui::kText);
   }

@@ -38,9 +38,11 @@ void load_rows(const std::optional<ToolLoad>& load) {
 
 void hand_rows(const Tool& tool, const InstrumentState& state, Requests& requests) {
   ui::fact(
-      "Gap", engineering(state.gap, "m"),
+      "Gap", engineering(state.gap, "m") + (state.waits ? ", tissue is crushed" : ""),
       "Way of its farthest point to the place that the hand commands. Near tissue an instrument moves by at most a "
-      "quarter of its finest radius in a step, so that it touches what it meets");
+      "quarter of its finest radius in a step, so that it touches what it meets. It does not press on tissue whose "
+      "volume is below a tenth of that at rest: it waits until the hand leads it another way",
+      state.waits ? &ui::kWarning : nullptr);
   if (tool.has_jaws) {
     ui::ButtonRow jaws(2);
     const auto add = [&](const char* text, double grip, const char* help) {

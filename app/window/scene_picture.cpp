@@ -204,9 +204,10 @@ void ScenePicture::draw_ring(const MarkArea& area, const Session& session) const
 
 void ScenePicture::draw_instruments(const MarkArea& area, const Session& session, const std::vector<ToolLoad>& loads,
                                     LabelPlaces& places) const {
-  draw_instrument_marks(area, session,
-                        instrument_marks(session.simulation, loads, stage_.hand.picked(), stage_.hand.commanded()),
-                        places);
+  draw_instrument_marks(
+      area, session,
+      instrument_marks(session.simulation, loads, stage_.hand.picked(), stage_.hand.commanded(), stage_.hand.waits()),
+      places);
 }
 
 Margins ScenePicture::margins_of(const Canvas& canvas) const {

@@ -49,6 +49,7 @@ void WindowPanels::draw(Requests& requests) {
   state.grabs = stage_.mouse.grabs().all().size();
   state.instruments.picked = stage_.hand.picked();
   state.instruments.gap = stage_.hand.gap(sides_.held());
+  state.instruments.waits = stage_.hand.waits();
   const Room room = room_beside_panels(state);
   const bool shown_alone = video.running() && !video.settings().panels;  // a video of the scene without panels
   if (!shown_alone) draw_notice(state, room);

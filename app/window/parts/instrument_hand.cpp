@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/state/deformed_positions.h"
+#include "sim/contact/tissue/crushed_tissue.h"
 #include "sim/tool/followed_place.h"
 #include "sim/visual/picking.h"
 #include "sim/visual/tool_picking.h"
@@ -102,6 +103,7 @@ void InstrumentHand::stop_jaws(const Session& session) {
 }
 
 void InstrumentHand::lead(Session& session) {
+  waits_ = false;
   if (!picked_ || !commanded_) return;
   Simulation& simulation = session.simulation;
   const Tool& tool = simulation.model.tools[*picked_];
@@ -112,14 +114,28 @@ void InstrumentHand::lead(Session& session) {
   const ToolPlace now = simulation.tool_places()[*picked_], wanted = commanded_->place();
   if (now == wanted) return simulation.lead({tool.name, *commanded_});
   if (!cover_) cover_ = std::make_unique<TissueCover>(simulation.model, followed_radius(tool, 2 * session.look.radius));
-  cover_->follow(deformed_positions(session));
+  const std::vector<Vector3d> positions = deformed_positions(session);
+  cover_->follow(positions);
   const ToolPlace next = followed_place(tool, now, wanted, cover_->size(),
                                         [&](const ToolPlace& place) { return cover_->clearance(tool, place); });
+  const double near = followed_radius(tool, cover_->size());
+  waits_ = cover_->clearance(tool, next) < near &&
+           presses_crushed_tissue(simulation.model, positions, tool, now, next, near);
+  if (waits_) return stay(simulation, now);
   simulation.lead({tool.name, next == wanted ? *commanded_ : led_place(next)});
+}
+
+// Off its path, at the place in the numbers that it has already.
+void InstrumentHand::stay(Simulation& simulation, const ToolPlace& now) {
+  const std::string& name = simulation.model.tools[*picked_].name;
+  for (const LedTool& led : simulation.led_tools())
+    if (led.name == name) return;
+  simulation.lead({name, led_place(now)});
 }
 
 void InstrumentHand::rest() {
   commanded_.reset();
+  waits_ = false;
   grip_.reset();
   drag_ = Drag::none;
   cover_.reset();

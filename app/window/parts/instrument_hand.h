@@ -1,5 +1,6 @@
 // An instrument in the hand of the user: the mouse commands its place, and from step to step the instrument goes there
-// as far as tissue lets it (sim/tool/followed_place.h). Until it is first moved, it stays on its path.
+// as far as tissue lets it (sim/tool/followed_place.h). It waits where it would press tissue that is crushed already
+// (sim/contact/tissue/crushed_tissue.h). Until it is first moved, it stays on its path.
 #pragma once
 #include <Eigen/Core>
 #include <memory>
@@ -41,14 +42,17 @@ class InstrumentHand {
 
   std::optional<ToolPlace> commanded() const;
   double gap(const Session& session) const;  // [m] the way of its farthest point to where it is commanded
+  bool waits() const { return waits_; }      // at tissue that is crushed, as of the last step
 
  private:
   LedPlace& command(const Session& session);
+  void stay(Simulation& simulation, const ToolPlace& now);
 
   std::optional<std::size_t> picked_;
   std::optional<LedPlace> commanded_;
   std::optional<double> grip_;  // to which the jaws go
   Drag drag_ = Drag::none;
+  bool waits_ = false;
   Eigen::Vector2d last_{0, 0};
   std::unique_ptr<TissueCover> cover_;  // for the tool, from the first step in which it is needed
 };

@@ -22,22 +22,25 @@ TEST_CASE("an instrument that touches shows its force, and the one in hand its g
   scene.tools.instruments.push_back(
       {"forceps", JawsShape{jaw, {0, 0, 1}, 0}, std::nullopt, {{0, {0.3, 0.2, 0}, {0, 0, 0}, 0}}, false});
   const Simulation simulation(scene, graphics.programs.get(), false);
-  CHECK(instrument_marks(simulation, {}, std::nullopt, std::nullopt).empty());
+  CHECK(instrument_marks(simulation, {}, std::nullopt, std::nullopt, false).empty());
 
   std::vector<ToolLoad> loads(3);
   loads[0] = {{0, 15, 0}, {0, 0, 0}, 4, 0};
   loads[2] = {{3, 4, 0}, {0, 0, 0}, 5, 2, 1e-3};
-  const std::vector<InstrumentMark> touching = instrument_marks(simulation, loads, std::nullopt, std::nullopt);
+  const std::vector<InstrumentMark> touching = instrument_marks(simulation, loads, std::nullopt, std::nullopt, true);
   REQUIRE(touching.size() == 1);
   CHECK(touching[0].force == 5);
   CHECK((touching[0].at - Vector3d(0.3, 0.16, 0)).norm() < 1e-12);  // between the jaws
   CHECK(!touching[0].commanded);
+  CHECK(!touching[0].waits);
 
   ToolPlace commanded = simulation.tool_places()[1];
   commanded.pose.origin.x() += 0.05;
-  const std::vector<InstrumentMark> held = instrument_marks(simulation, loads, 1, commanded);
+  const std::vector<InstrumentMark> held = instrument_marks(simulation, loads, 1, commanded, true);
   REQUIRE(held.size() == 2);
   CHECK(!held[0].force);
   CHECK(held[0].at == Vector3d(0, 0.2, 0));
   CHECK(held[0].commanded == Vector3d(0.05, 0.2, 0));
+  CHECK(held[0].waits);
+  CHECK(!held[1].waits);
 }

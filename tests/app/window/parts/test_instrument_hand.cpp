@@ -187,3 +187,55 @@ TEST_CASE("a jump of the mouse through tissue presses on it instead, with a gap 
   desk.step(3);
   CHECK(desk.place(kBall).pose.origin.y() == before);
 }
+TEST_CASE("a thin rod that is pressed on waits where it has crushed the tissue before it, and is led back freely",
+          "[contact]") {
+  Graphics graphics = open_graphics(headless(), false);
+  Scene scene = open_scene(source_dir() / "assets/scenes/palpation.json");
+  scene.tools.instruments[0].path = {{0, {-0.05, 0.082, 0}, {0, 0, 0}, 0}};
+  scene.camera = CameraSettings{{0, 0.03, 0.5}, {0, 0.03, 0}, {0, 1, 0}, 40};
+  Session session(graphics, scene, false);
+  InstrumentHand hand;
+  hand.pick(0);
+  const auto place = [&] { return session.simulation.tool_places()[0].pose.origin; };
+  const auto drag_down = [&](double way) {
+    const double pixel = session.camera.pixel_size(place(), 400, 400);
+    hand.press(InstrumentHand::Drag::shift, {200, 200});
+    hand.move({200, 200 + way / pixel}, kPicture, session);
+    hand.release();
+  };
+  const auto measure = [&] {
+    session.simulation.gpu()->request_diagnostics();
+    return *session.simulation.gpu()->take_diagnostics(true);
+  };
+  const auto steps = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      hand.lead(session);
+      session.simulation.step();
+    }
+  };
+  double pressed = 0;
+  for (int i = 0; i < 50 && !hand.waits(); ++i) {
+    drag_down(0.002);
+    steps(2);
+    pressed = std::max(pressed, measure().tool_loads[0].normal);
+  }
+  REQUIRE(hand.waits());
+  const Vector3d stop = place();
+  CAPTURE(stop.y(), pressed);
+  CHECK(stop.y() < 0.06);
+  CHECK(stop.y() > 0.02);
+  drag_down(0.05);
+  steps(60);
+  CHECK(hand.waits());
+  CHECK(hand.gap(session) > 0.045);
+  const Diagnostics waiting = measure();
+  CAPTURE(waiting.tool_loads[0].normal);
+  CHECK(stop.y() - place().y() < 0.005);
+  CHECK(waiting.tool_loads[0].normal > 0.6 * pressed);
+
+  const double before = place().y();
+  drag_down(-0.1);
+  steps(60);
+  CHECK(!hand.waits());
+  CHECK(place().y() > before + 0.02);
+}
