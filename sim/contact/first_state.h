@@ -11,7 +11,10 @@ struct Model;
 /// step. The forces are those on a rigid body at rest on springs, one for each point that touches (Winkler 1867), with
 /// the penalties of points as their stiffness, and without friction: on a level face they add up to the body's weight.
 /// A point touches that is no farther from a tool than a thousandth of the surface's mean edge, and does not leave it.
-/// None for a body with a point deeper than that, which is pushed out in any case.
+///
+/// A body that tools squeeze, with points deeper than that, begins with forces of about its own stiffness, so that
+/// friction holds it: (lambda_L + 2 mu_L) A d / L with the depth d, the area A and the body's radius L, of a rigid body
+/// that comes to rest between them. Weight is not counted. From a single tool, which pushes it out, it has none.
 State first_state(const Model& model);
 
 }  // namespace fascia

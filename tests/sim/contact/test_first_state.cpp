@@ -100,5 +100,27 @@ TEST_CASE("a body that slides on the ground at the start begins with its weight"
   CHECK(sums(model)[0] == Approx(weight_of(model)).epsilon(1e-5));
 }
 
+// From E A times the strain, where sides bulge freely, to (lambda + 2 mu) / E = 3.8 times as much, where they do not.
+TEST_CASE("a body that two tools squeeze begins with forces of about its stiffness, the same from both sides",
+          "[contact]") {
+  const double size = 0.04, squeeze = GENERATE(0.001, 0.0005);
+  Model model = bar({size, size, size}, {4, 4, 4});
+  const BoxShape plate{{0, 0, 0}, {0.01, 0.06, 0.06}, 0};
+  for (const double side : {-1.0, 1.0}) {
+    Tool tool = test::tool(side < 0 ? "left" : "right", plate, 0.5);
+    tool.path[0].position = {size / 2 + side * (size / 2 + 0.01 - squeeze), size / 2, size / 2};
+    model.tools.push_back(tool);
+  }
+  if (GENERATE(false, true)) model.gravity.setZero();
+  const double uniaxial = 1e5 * size * size * 2 * squeeze / size;
+  const std::vector<double> found = sums(model);
+  CAPTURE(found[0], found[1], uniaxial);
+  CHECK(found[0] == Approx(found[1]).epsilon(1e-3));
+  CHECK(found[0] > uniaxial);
+  CHECK(found[0] < 3.8 * uniaxial);
+  model.tools.pop_back();
+  CHECK(sums(model)[0] <= 1e-5 * found[0]);
+}
+
 }  // namespace
 }  // namespace fascia

@@ -49,5 +49,43 @@ TEST_CASE("a block that begins on the ground with a speed slides as far as frict
   CHECK(reference_way == Approx(exact).epsilon(0.03));
 }
 
+// Without friction in its first step a body falls by g h^2 = 2.7 mm, and slides on.
+TEST_CASE("a cube that two plates squeeze from the start is held by friction", "[gpu][contact]") {
+  test::Gpu gpu;
+  SolverSettings settings = two_level();
+  settings.integrator = GENERATE(Integrator::implicit_euler, Integrator::bdf2);
+  settings.rest_speed = 0;
+  constexpr double kSize = 0.04, kSqueeze = 0.0005;
+  Model model = test::cube(kSize, 4, soft_tissue(5e4, 0.02));
+  const BoxShape plate{{0, 0, 0}, {0.01, 0.06, 0.06}, 0};
+  double left = 1e9, right = -1e9;
+  for (const Vector3d& x : model.rest_positions) {
+    left = std::min(left, x.x());
+    right = std::max(right, x.x());
+  }
+  model.tools = {test::tool("left", plate, 0.5), test::tool("right", plate, 0.5)};
+  model.tools[0].path[0].position.x() = left - 0.01 + kSqueeze;
+  model.tools[1].path[0].position.x() = right + 0.01 - kSqueeze;
+
+  GpuSolver solver(gpu.programs, model, settings);
+  reference::NewtonSolver newton(model, settings);
+  State state = first_state(model);
+  for (int i = 0; i < 40; ++i) {
+    solver.step();
+    newton.step(state);
+  }
+  const auto mean_y = [](const std::vector<Vector3d>& values) {
+    double sum = 0;
+    for (const Vector3d& value : values) sum += value.y();
+    return sum / static_cast<double>(values.size());
+  };
+  const State now = solver.download();
+  CAPTURE(name_of(settings.integrator), mean_y(now.displacement), mean_y(state.displacement), mean_y(now.velocity));
+  CHECK(mean_y(now.displacement) > -0.0005);
+  CHECK(mean_y(state.displacement) > -0.0005);
+  CHECK(std::abs(mean_y(now.velocity)) < 1e-3);
+  CHECK(std::abs(mean_y(state.velocity)) < 1e-3);
+}
+
 }  // namespace
 }  // namespace fascia
