@@ -26,7 +26,9 @@ struct MeshError {
   /// Root of int |u* - u|^2 dV / int |u*|^2 dV, u* being that of the finer solution; |w| / int T* : D^-1 T* without
   /// one. Pieces that nothing holds count without their rigid motion.
   double displacement = 0;
-  double peak_stress = 0;   // of the von Mises stress that 99 % of the volume stay below, relative to that of T*
+  /// Of the recovered von Mises stress that 99 % of the volume stay below (sim/accuracy/nodal_stress.h), relative to
+  /// that of T*; without a finer solution, that of the tets.
+  double peak_stress = 0;
   double peak = 0;          // that of T* [Pa]
   double peak_of_tets = 0;  // that of the tets themselves [Pa]
   /// [tet_count] of the squares: root of their mean in the tet over that of T* : D^-1 T* in the body.
