@@ -22,7 +22,7 @@ struct Errors {
   int solver_steps = 0;                   // WorstStep::compared()
   std::optional<double> solver_over_run;  // RunError::over_run
   std::optional<TimeError> time;
-  double mesh = 0;                      // the larger one of mesh_state and that of the run at its end
+  double mesh = 0;                      // RunError::relative, of what nothing holds the larger one of it and mesh_state
   double mesh_state = 0;                // MeshError
   std::optional<double> mesh_over_run;  // estimate_mesh_error_in_motion()
   PeakErrors peak_stress;
