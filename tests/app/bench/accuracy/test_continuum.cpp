@@ -18,7 +18,7 @@ TEST_CASE("bench accuracy compares elements, integrators and meshes with the con
   Bench bench(options, "accuracy");
   const ContinuumGrid grid{{8}, {4}, {10}, {0.3}, 8, 4};
   const std::vector<ContinuumPoint> points = bench_continuum(bench, grid);
-  REQUIRE(points.size() == 4);
+  REQUIRE(points.size() == 6);
   const auto find = [&](ElementOrder elements, Integrator integrator) {
     for (const ContinuumPoint& point : points)
       if (point.choice.elements == elements && point.choice.integrator == integrator) return point;
@@ -42,6 +42,7 @@ TEST_CASE("bench accuracy compares elements, integrators and meshes with the con
   CHECK(table.find("quadratic,81,24,0.3,bdf2,10,") != std::string::npos);
   CHECK(summary.find("| quadratic, bdf2 |") != std::string::npos);
   CHECK(tips.find("linear,81,192,0.3,") != std::string::npos);
+  CHECK(summary.find("nu = 0.3: 24 quadratic tets with half the substeps are ") != std::string::npos);
 }
 
 TEST_CASE("the grids of the continuum compare equal numbers of vertices") {
@@ -53,6 +54,6 @@ TEST_CASE("the grids of the continuum compare equal numbers of vertices") {
       CHECK(cells < grid.truth_cells);
     }
     CHECK(grid.choices().size() ==
-          2 * grid.iterations.size() * (grid.linear_cells.size() + grid.quadratic_cells.size()));
+          3 * grid.iterations.size() * (grid.linear_cells.size() + grid.quadratic_cells.size()));
   }
 }
