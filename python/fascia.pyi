@@ -183,7 +183,7 @@ class Simulation:
     @property
     def fixed(self) -> Array: ...  # [fixed_count], read only
     @property
-    def masses(self) -> Array: ...  # [vertex_count] [kg]
+    def masses(self) -> Array: ...  # lumped, [vertex_count] [kg]
     @property
     def bodies(self) -> list[dict[str, Any]]: ...
     def step(self, count: int = ...) -> None: ...

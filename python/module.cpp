@@ -179,7 +179,8 @@ void define_simulation(py::module_& m) {
           "The indices of the fixed vertices, ascending, [fixed_count]; a view, read only.")
       .def_property_readonly(
           "masses", [](const Simulation& s) { return array_of(s.masses()); },
-          "The masses of the vertices [kg], [vertex_count]; a copy.")
+          "The lumped masses of the vertices [kg], [vertex_count]; a copy. Quadratic tets have another momentum "
+          "(diagnostics).")
       .def_property_readonly(
           "bodies",
           [](const Simulation& s) {

@@ -64,7 +64,7 @@ set(arrows
   "app/bench/accuracy: base sim/accuracy sim/mesh sim/model sim/reference sim/scene/settings sim/simulation app/bench app/ui app/verify"
   "app/bench/window: base base/csv app/bench app/system"
   "app/bench/figures: sim/gpu sim/grab render/target render/view app/bench app/charts app/system app/ui"
-  "app/bench/fill: base sim/accuracy sim/bare_mesh sim/elements sim/grab sim/mesh sim/output sim/scene sim/simulation sim/surface app/bench"
+  "app/bench/fill: base sim/accuracy sim/bare_mesh sim/elements sim/grab sim/mesh sim/model sim/output sim/reference sim/scene sim/simulation sim/surface app/bench"
   "app/check: base base/json render app/cli app/golden app/headless app/system"
   "app/cli: base base/json sim/material sim/mesh/io sim/scene sim/scene/settings app/golden"
   "app/commands: base gl/context sim/accuracy sim/bare_mesh sim/contact/tissue sim/fit sim/fit/gpu sim/fit/simulated sim/gpu/self_test sim/material sim/mesh sim/mesh/io sim/model sim/ordering sim/output sim/reference sim/scene sim/simulation sim/simulation/errors sim/surface sim/tool render app/bench app/bench/accuracy app/bench/fill app/bench/window app/charts app/check app/cli app/fit app/golden app/headless app/overlay app/refine app/session app/stress app/system app/verify app/video app/window"

@@ -1,5 +1,6 @@
-// fascia convert: converts between mesh formats, preserving vertex order, regions and names where the format can;
-// converts scenes and replays to files that carry their meshes.
+// fascia convert: converts between mesh formats, preserving vertex order, quadratic tets, regions and names where the
+// format can; converts scenes and replays to files that carry their meshes.
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "sim/mesh/io/mesh_formats.h"
+#include "sim/mesh/io/written_middles.h"
 #include "sim/mesh/vertex_check.h"
 #include "sim/scene/scene_carry.h"
 #include "sim/surface/surface_fill.h"
@@ -62,10 +64,15 @@ int convert_file(const ConvertOptions& options) {
   std::optional<EndAtOnce> opening(std::in_place);
   MeshFile file = read_mesh_or_fill(options.in, {}, opening_progress(options.in));
   opening.reset();
+  keep_written_middles(file, options.out);
   const std::size_t welded = options.weld ? weld(file.mesh) : 0;
   write_mesh(options.out, file.mesh);
   std::cerr << "fascia: " << options.out << ": " << plural(file.mesh.positions.size(), "vertex") << ", "
-            << plural(file.mesh.tets.size(), "tet") << ", from " << file.format << '\n';
+            << plural(file.mesh.tets.size(), "tet");
+  const auto quadratic = std::count_if(file.mesh.mid_edges.begin(), file.mesh.mid_edges.end(),
+                                       [](const MidEdges& middles) { return middles != kNoMidEdges; });
+  if (quadratic > 0) std::cerr << " (" << quadratic << " quadratic)";
+  std::cerr << ", from " << file.format << '\n';
   if (options.weld)
     std::cerr << "fascia: --weld: " << plural(welded, "vertex") << " at the place of an earlier one left out\n";
   if (const std::string lost = names_left_out(options.out, file.mesh); !lost.empty())

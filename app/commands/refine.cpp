@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/refine/choice.h"
 #include "app/refine/confirmed_plan.h"
+#include "app/refine/plan_text.h"
 #include "app/refine/trial_run.h"
 #include "app/session/graphics.h"
 #include "app/session/open_input.h"
@@ -50,24 +51,6 @@ void add_quantity(CLI::App& command, const std::string& name, double& field, con
       ->default_str(usual);
 }
 
-std::string percent(double share) { return number(100 * share) + " %"; }
-
-std::string describe(const Proposal& p, const Scene& scene) {
-  std::string text = "  " + std::to_string(std::lround(p.tets)) + ' ' + name_of(p.elements) + " tets (edges " +
-                     number(1 / p.refinement) + " times as long), " + name_of(p.integrator) + ", " +
-                     plural(static_cast<std::size_t>(p.substeps), "substep") + ", " +
-                     plural(static_cast<std::size_t>(p.iterations), "iteration") + "\n  error " + percent(p.error()) +
-                     ": " + (p.shape > 0 ? "shape " + percent(p.shape) + ", " : "") + "mesh " + percent(p.mesh) +
-                     ", time " + percent(p.time) + ", solver " + percent(p.solver) + "; " + number(p.ms) +
-                     " ms a step\n ";
-  for (const std::string& set : sets_of(p, scene)) text += " --set " + set;
-  if (p.other_mesh) {
-    if (!has_resolution(scene)) text += "\n  and a mesh with that many tets";
-    text += "\n  extrapolated from a mesh of " + plural(p.from_tets, "tet") + ": no run had this one";
-  }
-  return text + '\n';
-}
-
 /// Bodies whose mesh is the same in every choice.
 std::string note_of_kept(const Scene& scene) {
   std::vector<std::string> kept;
@@ -107,16 +90,11 @@ int run_refine(const RefineOptions& options) {
       trials, options.error, options.frame_ms, {refinements_of(opened.scene), has_resolution(opened.scene)},
       [&](const Proposal& choice, const Trial* alike) { return run_trial(runs, choice, alike); });
   if (interrupted()) return exit_interrupted;
-  const std::string wanted = percent(options.error) + " in " + number(options.frame_ms) + " ms";
-  if (plan.within) {
-    std::cout << "for " << wanted << " a step:\n" << describe(*plan.within, opened.scene);
-  } else {
-    std::cout << "not within reach: " << wanted << " a step\n";
-    if (plan.exact) std::cout << "for the error:\n" << describe(*plan.exact, opened.scene);
-    if (plan.fast) std::cout << "for the time:\n" << describe(*plan.fast, opened.scene);
-  }
+  const double finest = refinements_of(opened.scene).back();
+  std::cout << plan_text(plan, opened.scene, {options.error, options.frame_ms, finest * finest * finest});
   const std::vector<std::optional<Proposal>> printed =
-      plan.within ? std::vector{plan.within} : std::vector{plan.exact, plan.fast};
+      plan.within ? std::vector{plan.within}
+                  : std::vector{plan.exact ? plan.exact : plan.best, plan.fast ? plan.fast : plan.fastest};
   const bool all_measured =
       std::all_of(printed.begin(), printed.end(), [](const std::optional<Proposal>& p) { return !p || p->measured; });
   std::cout << "estimates from " << plural(static_cast<std::size_t>(steps), "step") << " on this machine, with "

@@ -55,7 +55,9 @@ Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes 
     else
       std::erase(meshes.refinements, choice.refinement);
   }
-  return plan_for(trials, error, ms, meshes.refinements, confirmed);
+  Plan plan = plan_for(trials, error, ms, meshes.refinements, confirmed);
+  plan.cut_off = true;
+  return plan;
 }
 
 }  // namespace fascia

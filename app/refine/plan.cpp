@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "sim/accuracy/time_extrapolation.h"
@@ -11,8 +12,8 @@ namespace {
 
 // Steps by which the number of tets doubles; beyond these a measured mesh says little.
 constexpr int kCoarsest = -4, kFinest = 9;
-constexpr int kSubsteps[] = {1, 2, 4, 8};
-constexpr int kIterations[] = {3, 5, 7, 10, 15, 20, 30};
+constexpr int kSubsteps[] = {1, 2, 4, kMostSubsteps};
+constexpr int kIterations[] = {3, 5, 7, 10, 15, 20, kMostIterations};
 // A measured step may be unusually good; more iterations than measured are not trusted with more than this.
 constexpr double kBestRate = 0.6;  // of the error, per iteration
 constexpr double kRounding = 1e-6;
@@ -102,6 +103,7 @@ std::vector<double> usual_refinements() {
 Plan plan_for(const std::vector<Trial>& trials, double error, double ms, const std::vector<double>& refinements,
               const std::function<bool(const Proposal&)>& allowed) {
   Plan plan;
+  std::vector<Proposal> all;
   const auto doubtful = [](const Proposal& p, double value) { return p.measured ? value : kDoubt * value; };
   const auto faster = [&](const Proposal& a, const Proposal& b) { return doubtful(a, a.ms) < doubtful(b, b.ms); };
   const auto better = [&](const Proposal& a, const Proposal& b) {
@@ -122,8 +124,14 @@ Plan plan_for(const std::vector<Trial>& trials, double error, double ms, const s
           if (candidate.error() <= error && candidate.ms <= ms) keep(plan.within, candidate, faster);
           if (candidate.error() <= error) keep(plan.exact, candidate, faster);
           if (candidate.ms <= ms) keep(plan.fast, candidate, better);
+          all.push_back(candidate);
+          keep(plan.fastest, candidate, faster);
         }
   }
+  double least = std::numeric_limits<double>::infinity();
+  for (const Proposal& candidate : all) least = std::min(least, candidate.error());
+  for (const Proposal& candidate : all)
+    if (candidate.error() <= kDoubt * least) keep(plan.best, candidate, faster);
   return plan;
 }
 

@@ -55,10 +55,16 @@ struct Proposal {
 Proposal predicted(const Trial& trial, double refinement, int substeps, int iterations);
 
 struct Plan {
-  std::optional<Proposal> within;  // the fastest one within error and time
-  std::optional<Proposal> exact;   // the fastest one within the error, whatever it takes
-  std::optional<Proposal> fast;    // the most accurate one within the time
+  std::optional<Proposal> within;   // the fastest one within error and time
+  std::optional<Proposal> exact;    // the fastest one within the error, whatever it takes
+  std::optional<Proposal> fast;     // the most accurate one within the time
+  std::optional<Proposal> best;     // the fastest one with the least error of all or a tenth more
+  std::optional<Proposal> fastest;  // the fastest one of all
+  bool cut_off = false;             // choices that no run has confirmed are left out (confirmed_plan.h)
 };
+
+/// The most that a choice may have.
+constexpr int kMostSubsteps = 8, kMostIterations = 30;
 
 /// Meshes with 1/16 to 512 times the tets of the one at hand, each with twice the tets of the one before.
 std::vector<double> usual_refinements();

@@ -86,7 +86,9 @@ FASCIA_INLINE namespace api {
     std::span<const std::uint32_t> surface_triangles() const;
     /// Returns the indices of the fixed vertices, ascending. Vertices of motions are not among them.
     std::span<const std::uint32_t> fixed() const;
-    /// Returns the masses of the vertices with the current densities [kg], [vertex_count].
+    /// Returns the lumped masses of the vertices with the current densities [kg], [vertex_count]. Their sum is the
+    /// mass. Their sums with velocities are the momentum of linear tets, but not that of quadratic ones, half of whose
+    /// mass moves with the centroid: Diagnostics::momentum has that of both.
     std::vector<double> masses() const;
     /// Returns the ranges of the bodies, in the order of the scene.
     std::vector<BodyRange> bodies() const;

@@ -76,6 +76,9 @@ std::size_t weld(TetMesh& mesh) {
   mesh.positions.resize(kept);
   for (Tet& tet : mesh.tets)
     for (std::uint32_t& v : tet) v = place[v];
+  for (MidEdges& of_tet : mesh.mid_edges)
+    for (std::uint32_t& v : of_tet)
+      if (v != kNoVertex) v = place[v];
   for (auto& [name, vertices] : mesh.groups) {
     for (std::uint32_t& v : vertices) v = place[v];
     std::sort(vertices.begin(), vertices.end());

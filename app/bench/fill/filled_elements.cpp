@@ -1,10 +1,10 @@
 #include "app/bench/fill/filled_elements.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <memory>
 
+#include "app/bench/fill/rigid_motion.h"
 #include "app/bench/fill/shapes.h"
 #include "app/bench/timing.h"
 #include "base/text.h"
@@ -73,26 +73,6 @@ std::vector<Vector3d> motion(const Bench& bench, const Filled& filled) {
     all.insert(all.end(), now.begin(), now.end());
   }
   return all;
-}
-
-/// Takes the velocity and the spin of the whole body away.
-void remove_rigid_motion(Model& model) {
-  const std::vector<double> masses = lumped_masses(model);
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  const auto modes_at = [](const Vector3d& x) {
-    Eigen::Matrix<double, 3, 6> modes;
-    modes << 1, 0, 0, 0, x.z(), -x.y(), 0, 1, 0, -x.z(), 0, x.x(), 0, 0, 1, x.y(), -x.x(), 0;
-    return modes;
-  };
-  for (std::size_t v = 0; v < masses.size(); ++v) {
-    const Eigen::Matrix<double, 3, 6> modes = modes_at(model.rest_positions[v]);
-    normal += masses[v] * modes.transpose() * modes;
-    right += masses[v] * modes.transpose() * model.initial_velocity[v];
-  }
-  const Eigen::Matrix<double, 6, 1> rigid = normal.ldlt().solve(right);
-  for (std::size_t v = 0; v < masses.size(); ++v)
-    model.initial_velocity[v] -= modes_at(model.rest_positions[v]) * rigid;
 }
 
 /// The motion of the body without supports and weight, after a blow that bends it: nothing depends on the vertices that

@@ -15,18 +15,19 @@ std::vector<std::string> endings_if(Condition fits) {
 
 const std::vector<MeshFormat>& mesh_formats() {
   using enum MeshFormat::Holds;
-  static const std::vector<MeshFormat> formats = {{"Gmsh", {".msh"}, both, true},
-                                                  {"VTK", {".vtk", ".vtu"}, both, true},
-                                                  {"TetGen", {".node", ".ele"}, tets, true},
-                                                  {"Medit", {".mesh"}, both, true},
-                                                  {"Abaqus", {".inp"}, both, true},
-                                                  {"FEBio", {".feb"}, both, false},
-                                                  {"Vega", {".veg"}, tets, false},
-                                                  {"Wavefront", {".obj"}, surfaces, false},
-                                                  {"STL", {".stl"}, surfaces, false},
-                                                  {"PLY", {".ply"}, surfaces, false},
-                                                  {"OFF", {".off"}, surfaces, false},
-                                                  {"VTK PolyData", {".vtp"}, surfaces, false}};
+  using enum MeshFormat::Written;
+  static const std::vector<MeshFormat> formats = {{"Gmsh", {".msh"}, both, ten_nodes},
+                                                  {"VTK", {".vtk", ".vtu"}, both, ten_nodes},
+                                                  {"TetGen", {".node", ".ele"}, tets, four_nodes},
+                                                  {"Medit", {".mesh"}, both, four_nodes},
+                                                  {"Abaqus", {".inp"}, both, ten_nodes},
+                                                  {"FEBio", {".feb"}, both, no},
+                                                  {"Vega", {".veg"}, tets, no},
+                                                  {"Wavefront", {".obj"}, surfaces, no},
+                                                  {"STL", {".stl"}, surfaces, no},
+                                                  {"PLY", {".ply"}, surfaces, no},
+                                                  {"OFF", {".off"}, surfaces, no},
+                                                  {"VTK PolyData", {".vtp"}, surfaces, no}};
   return formats;
 }
 
@@ -37,7 +38,10 @@ std::vector<std::string> surface_endings() {
   return endings_if([](const MeshFormat& format) { return format.holds == MeshFormat::Holds::surfaces; });
 }
 std::vector<std::string> written_endings() {
-  return endings_if([](const MeshFormat& format) { return format.written; });
+  return endings_if([](const MeshFormat& format) { return format.written != MeshFormat::Written::no; });
+}
+std::vector<std::string> ten_node_endings() {
+  return endings_if([](const MeshFormat& format) { return format.written == MeshFormat::Written::ten_nodes; });
 }
 
 std::string listed_formats() {

@@ -9,7 +9,7 @@ struct MeshFormat {
   std::string name;                  // as in messages
   std::vector<std::string> endings;  // lower case, with the dot
   enum class Holds { tets, surfaces, both } holds;
-  bool written;  // by write_mesh()
+  enum class Written { no, four_nodes, ten_nodes } written;  // by write_mesh(): how many nodes of a quadratic tet
 };
 const std::vector<MeshFormat>& mesh_formats();
 
@@ -18,6 +18,8 @@ std::vector<std::string> tet_endings();
 std::vector<std::string> surface_endings();
 
 std::vector<std::string> written_endings();
+/// Those of formats that are written with all nodes of quadratic tets.
+std::vector<std::string> ten_node_endings();
 
 /// "Gmsh .msh, VTK .vtk .vtu, ...".
 std::string listed_formats();

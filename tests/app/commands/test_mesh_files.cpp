@@ -116,6 +116,41 @@ TEST_CASE("tets with vertices of their own are reported and welded", "[mesh_file
   CHECK_THAT(run_fascia({"info", whole}).out, Catch::Contains("components  1\n") && !Catch::Contains("unconstrained"));
 }
 
+TEST_CASE("convert keeps quadratic tets, those of its own files and of exports", "[mesh_files]") {
+  const TemporaryFolder folder;
+  const std::string first = (test_dir() / "data/meshes/gmsh_tets10.inp").string();
+  const MeshFile file = read_mesh(first);
+  std::string from = first;
+  for (const std::string ending : {".inp", ".vtu", ".msh", ".vtk"}) {
+    const std::string to = (folder / ("copy" + ending)).string();
+    const CommandResult result = run_fascia({"convert", from, to});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    const std::string tets = std::to_string(file.mesh.tets.size());
+    CHECK_THAT(result.err,
+               Catch::Contains(tets + " tets (" + tets + " quadratic)") && !Catch::Contains("elements=quadratic"));
+    const MeshFile copy = read_mesh(to);
+    CHECK(copy.mesh.tets == file.mesh.tets);
+    CHECK(copy.mid_edges == file.mid_edges);
+    CHECK(copy.mesh.positions.size() == file.mesh.positions.size());
+    from = to;
+  }
+  const std::string corners = (folder / "corners.mesh").string();
+  const CommandResult cut = run_fascia({"convert", from, corners});
+  CHECK(cut.exit_code == 0);
+  CHECK_THAT(cut.err, Catch::Contains("written with the corners alone") && !Catch::Contains("quadratic)"));
+  CHECK(read_mesh(corners).mid_edges.empty());
+
+  const std::string exported = (folder / "exported.vtu").string(), inp = (folder / "exported.inp").string();
+  const CommandResult run = run_fascia({"run", from, "--set", "elements=quadratic", "--steps", "0", "--export",
+                                        exported, "--quiet", "--context", "osmesa"});
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  REQUIRE(run_fascia({"convert", exported, inp}).exit_code == 0);
+  CHECK(read_mesh(inp).mid_edges == read_mesh(exported).mid_edges);
+  CHECK(read_mesh(inp).mid_edges.size() == file.mesh.tets.size());
+}
+
 TEST_CASE("convert says which cells of a file it does not write", "[mesh_files]") {
   const TemporaryFolder folder;
   const std::string boxes = (test_dir() / "data/meshes/gmsh_2.2_binary.msh").string();

@@ -19,6 +19,8 @@ TEST_CASE("refine proposes settings, or says what is within reach", "[refine]") 
                                                "--steps", "5", "--quiet", "--context", "osmesa"});
   CHECK(impossible.exit_code == 1);
   CHECK(impossible.out.find("not within reach") != std::string::npos);
+  CHECK(impossible.out.find("for the error: no choice; the least error found is ") != std::string::npos);
+  CHECK(impossible.out.find("for the time: no choice; the fastest takes ") != std::string::npos);
   for (const std::string option : {"--static", "--reference"}) {
     const CommandResult refused = run_fascia({"refine", cube.string(), option});
     CAPTURE(option, refused.err);

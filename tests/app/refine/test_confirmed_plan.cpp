@@ -120,3 +120,20 @@ TEST_CASE("a mesh on which the scene does not run is left out") {
   CHECK(plan.within->measured);
   CHECK(plan.within->refinement >= 2.6);
 }
+
+TEST_CASE("a plan whose runs never confirm it is that of what was run, and says that it is cut off") {
+  World world;
+  std::vector<Trial> trials{world.trial(1, 1, 10)};
+  int runs = 0;
+  const Plan plan = confirmed_plan(trials, 0.06, 1e3, {usual_refinements(), true},
+                                   [&](const Proposal&, const Trial*) -> std::optional<Trial> {
+                                     ++runs;
+                                     return world.trial(1, 1, 10);
+                                   });
+  CHECK(runs == kMostRuns);
+  CHECK(plan.cut_off);
+  CHECK_FALSE(plan.within);
+  REQUIRE(plan.best);
+  CHECK(plan.best->measured);
+  CHECK_FALSE(confirmed_plan(trials, 0.9, 1e3, {usual_refinements(), true}, world.run()).cut_off);
+}

@@ -90,6 +90,26 @@ TEST_CASE("the plan is the fastest choice within error and time, or says what ea
   CHECK_FALSE(plan_for({}, 0.1, 10).fast);
 }
 
+TEST_CASE("a plan has the most accurate and the fastest choice of all, also where none is within reach") {
+  const std::vector<Trial> trials{trial_of(ElementOrder::linear, Integrator::implicit_euler, 0.1, 0.2),
+                                  trial_of(ElementOrder::quadratic, Integrator::bdf2, 0.01, 0.02)};
+  const Plan plan = plan_for(trials, 1e-9, 1e-9);
+  CHECK_FALSE(plan.exact);
+  CHECK_FALSE(plan.fast);
+  REQUIRE(plan.best);
+  REQUIRE(plan.fastest);
+  CHECK(plan.best->elements == ElementOrder::quadratic);
+  // Not the least error of all, for a tenth of which a finer mesh or more iterations take times as long.
+  const Proposal least = predicted(trials[1], 8, kMostSubsteps, kMostIterations);
+  CHECK(plan.best->substeps == kMostSubsteps);
+  CHECK(plan.best->error() <= 1.1 * least.error());
+  CHECK(plan.best->ms < 0.7 * least.ms);
+  CHECK(plan.fastest->substeps == 1);
+  CHECK(plan.fastest->iterations == 3);
+  CHECK(plan.fastest->refinement < 0.5);
+  CHECK_FALSE(plan_for({}, 0.1, 10).best);
+}
+
 TEST_CASE("a choice follows from the trial whose substeps are next below its own") {
   Trial one = trial_of(ElementOrder::quadratic, Integrator::bdf2, 0, 0.4), four = one;
   four.substeps = 4;

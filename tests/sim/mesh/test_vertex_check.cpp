@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/mesh/mesh_generate.h"
+#include "sim/mesh/mid_edges.h"
 #include "tests/sim/mesh/checked_mesh.h"
 
 using namespace fascia;
@@ -56,6 +57,27 @@ TEST_CASE("halves that touch without shared vertices are counted, and welded on 
   CHECK(mesh.groups["crack"] == Indices{copies.begin()->first});
   CHECK(examined(mesh).coincident_vertices == 0);
   CHECK(weld(mesh) == 0);
+}
+
+TEST_CASE("halves of quadratic tets are welded with the vertices in the middles of their edges") {
+  TetMesh whole;
+  whole.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  whole.tets = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+  TetMesh apart = whole;
+  apart.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  apart.tets[1] = {4, 5, 6, 7};
+  add_mid_edges(apart, {0, 1});
+  CHECK(weld(apart) == 6);  // three corners of the face, and the middles of its three edges
+  CHECK(apart.tets == whole.tets);
+  for (std::size_t t = 0; t < 2; ++t)
+    for (std::size_t m = 0; m < 6; ++m) {
+      const auto [a, b] = kMidEdgeCorners[m];
+      const Eigen::Vector3d middle = 0.5 * (apart.positions[apart.tets[t][a]] + apart.positions[apart.tets[t][b]]);
+      CHECK(apart.positions.at(apart.mid_edges[t][m]) == middle);
+    }
+  add_mid_edges(apart, {0});
+  CHECK(weld(apart) == 6);  // the new middles, at the places of those before; the linear tet has none
+  CHECK(apart.mid_edges[1] == kNoMidEdges);
 }
 
 TEST_CASE("a vertex in no tet does not coincide with another vertex") {

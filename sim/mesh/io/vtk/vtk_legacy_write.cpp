@@ -27,14 +27,19 @@ std::string vtk_legacy_text(const TetMesh& mesh) {
   out.add("# vtk DataFile Version 3.0\ntetrahedral mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n");
   out.add("POINTS ").add(mesh.positions.size()).add(" double\n");
   for (const Eigen::Vector3d& x : mesh.positions) out.add(x[0]).add(' ').add(x[1]).add(' ').add(x[2]).add('\n');
-  out.add("CELLS ").add(mesh.tets.size()).add(' ').add(5 * mesh.tets.size()).add('\n');
-  for (const Tet& tet : mesh.tets) {
-    out.add('4');
-    for (const std::uint32_t v : tet) out.add(' ').add(v);
+  const auto is_quadratic = [&](std::size_t t) { return !mesh.mid_edges.empty() && mesh.mid_edges[t] != kNoMidEdges; };
+  std::size_t numbers = 5 * mesh.tets.size();
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) numbers += is_quadratic(t) ? 6 : 0;
+  out.add("CELLS ").add(mesh.tets.size()).add(' ').add(numbers).add('\n');
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    out.add(is_quadratic(t) ? "10" : "4");
+    for (const std::uint32_t v : mesh.tets[t]) out.add(' ').add(v);
+    if (is_quadratic(t))
+      for (const std::uint32_t v : mesh.mid_edges[t]) out.add(' ').add(v);
     out.add('\n');
   }
   out.add("CELL_TYPES ").add(mesh.tets.size()).add('\n');
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) out.add("10\n");
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) out.add(is_quadratic(t) ? "24\n" : "10\n");
   if (!mesh.region_names.empty()) {
     out.add("FIELD FieldData ").add(mesh.region_names.size()).add('\n');
     for (const auto& [region, name] : mesh.region_names) {

@@ -175,6 +175,7 @@ TEST_CASE("the table of formats has every ending that is read or written, once")
   std::sort(once.begin(), once.end());
   CHECK(std::adjacent_find(once.begin(), once.end()) == once.end());
   CHECK(written_endings() == std::vector<std::string>{".msh", ".vtk", ".vtu", ".node", ".ele", ".mesh", ".inp"});
+  CHECK(ten_node_endings() == std::vector<std::string>{".msh", ".vtk", ".vtu", ".inp"});
   for (const std::string& ending : written_endings())
     CHECK(std::find(endings.begin(), endings.end(), ending) != endings.end());
   CHECK(listed_formats().starts_with("Gmsh .msh, VTK .vtk .vtu, "));

@@ -53,7 +53,7 @@ TEST_CASE("tets of four nodes are read without middles", "[mesh_io]") {
 }
 
 TEST_CASE("quadratic cells are written and read again", "[mesh_io]") {
-  const std::string name = GENERATE("box.msh", "box22.msh", "box.vtu");
+  const std::string name = GENERATE("box.msh", "box22.msh", "box.vtu", "box.vtk", "box.inp");
   const TemporaryFolder folder;
   const TetMesh mesh = quadratic_box();
   if (name == "box22.msh")
@@ -62,7 +62,8 @@ TEST_CASE("quadratic cells are written and read again", "[mesh_io]") {
     write_mesh(folder / name, mesh);
   const MeshFile file = read_mesh(folder / name);
   CAPTURE(name, file.format);
-  CHECK(file.mesh.positions == mesh.positions);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)  // 13 digits in an Abaqus file
+    CHECK((file.mesh.positions[v] - mesh.positions[v]).norm() < (name == "box.inp" ? 1e-13 : 1e-300));
   CHECK(file.mesh.tets == mesh.tets);
   std::vector<MidEdges> expected = mesh.mid_edges;
   expected.resize(file.mid_edges.size());  // none of the last tets
