@@ -1,4 +1,4 @@
-// The largest 1 - J of all tets, by their corners, as bits of a float, whose order is that of floats that are not
+// The largest 1 - J of all linear tets, as bits of a float, whose order is that of floats that are not
 // negative: for the CPU, which looks whether tissue may be tangled (sim/gpu/readback/tangle_watch.h).
 #include "common/io.glsl"
 #include "common/tet.glsl"

@@ -98,6 +98,24 @@ TEST_CASE("the watch finds an inverted tet a reading later, and forgets it with 
   CHECK(first_eased(1.5) == 40);
 }
 
+// The corners stay where they are: a mid-edge vertex that moves by d along its edge of 0.1 m leads to J = 1 + 40 d at a
+// corner of its tet, and to J = 1 + 17.9 d at the point next to it.
+TEST_CASE("a solver eases the law of a quadratic tet that is inside out at a point, where the law acts", "[gpu]") {
+  Gpu gpu;
+  const Model model = quadratic(one_tet());
+  const std::uint32_t middle = model.mid_edges[0][3];  // of the edge along z
+  const auto eased_at = [&](double along_z) {
+    GpuSolver solver(gpu.programs, model, {});
+    solver.set_grab({{3, Vector3d(0, 0, 0), 1e6}, {middle, Vector3d(0, 0, along_z), 1e6}});
+    for (int step = 0; step < 3 * TangleWatch::kInterval; ++step) solver.step();
+    CAPTURE(along_z, solver.download().displacement[middle].z());
+    CHECK(solver.download().displacement[middle].z() == Approx(along_z).epsilon(0.1));
+    return solver.buffers().hardness == Hardness::eased;
+  };
+  CHECK_FALSE(eased_at(-0.04));
+  CHECK(eased_at(-0.12));
+}
+
 TEST_CASE("a solver eases the law of a tet that is pushed through its foot, and ends that with a new state", "[gpu]") {
   Gpu gpu;
   const Model model = one_tet();
