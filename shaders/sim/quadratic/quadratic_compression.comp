@@ -15,5 +15,6 @@ void main() {
     PointGradients h = POINT_GRADIENTS(e, tet, displacement);
     for (int q = 0; q < 4; ++q) most = max(most, -det_f_minus_one(PICK(h, q)));
   }
-  atomicMax(compression[0], floatBitsToUint(most));
+  // A tet at rest may have -0.0, whose bits are the largest.
+  if (most > 0.0) atomicMax(compression[0], floatBitsToUint(most));
 }

@@ -16,5 +16,6 @@ void main() {
                                    FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
     most = max(most, -det_f_minus_one(h));
   }
-  atomicMax(compression[0], floatBitsToUint(most));
+  // A tet at rest may have -0.0, whose bits are the largest.
+  if (most > 0.0) atomicMax(compression[0], floatBitsToUint(most));
 }
