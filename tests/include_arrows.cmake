@@ -80,7 +80,7 @@ set(arrows
   "app/refine: base gl sim/accuracy sim/model sim/output sim/reference sim/scene sim/simulation sim/simulation/errors sim/surface"
   "app/session: base base/json gl sim/bare_mesh sim/gpu/readback sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/output sim/replay sim/scene sim/scene/settings sim/simulation sim/simulation/errors sim/visual render render/context render/target render/view app/cli app/system app/ui"
   "app/state: shaders/shared sim/contact sim/fit sim/gpu/readback sim/grab sim/material sim/mesh sim/model sim/output sim/scene sim/scene/tools sim/simulation app/session app/ui app/video"
-  "app/stress: base sim/bare_mesh sim/contact/tissue sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/system"
+  "app/stress: base sim/bare_mesh sim/contact/tissue sim/grab sim/material sim/mesh sim/mesh/io sim/model sim/replay sim/simulation app/bench app/cli app/system"
   "app/system: base"
   "app/ui: sim/output"
   "app/verify: base sim/accuracy sim/elements sim/grab sim/mesh sim/model sim/reference sim/scene sim/simulation sim/simulation/errors app/bench app/check"

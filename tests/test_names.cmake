@@ -7,7 +7,6 @@ set(without_test
   "app/main: the program itself, which every test of tests/app/commands runs"
   "app/commands/view: opens the window, as every test of tests/app/window does"
   "app/commands/soak: runs for hours"
-  "app/stress/soak: runs for hours, its measure is memory that grows"
   "app/bench/device: measures the device, there is no other measure of it to compare with"
   "app/bench/speed: runs for minutes, its table of times is tests/app/bench/test_speed_table.cpp's"
   "app/bench/skip: runs for minutes, tests/sim/gpu/test_solver_cost.cpp counts what is off"

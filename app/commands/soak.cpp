@@ -8,15 +8,21 @@
 namespace fascia {
 namespace {
 
-int run_soak(const BenchOptions& options, const std::vector<std::string>& scenes, long steps) {
+struct SoakOptions : BenchOptions {
+  std::vector<std::string> scenes;
+  long step_count = 100000;
+  Discretization discretization;
+};
+
+int run_soak(const SoakOptions& options) {
   Bench bench(options, "soak");
   try {
     bench.say(describe(bench.graphics));
-    std::vector<std::filesystem::path> inputs(scenes.begin(), scenes.end());
+    std::vector<std::filesystem::path> inputs(options.scenes.begin(), options.scenes.end());
     if (inputs.empty())
       for (const char* name : {"cube.json", "inclusion.json", "beam.json"})
         inputs.push_back(default_scene(bench.graphics.data_dir).parent_path() / name);
-    return soak_scenes(bench, inputs, steps) > 0 ? exit_failed : exit_done;
+    return soak_scenes(bench, inputs, options.step_count, options.discretization) > 0 ? exit_failed : exit_done;
   } catch (const Interrupted&) {
     return exit_interrupted;
   }
@@ -25,11 +31,7 @@ int run_soak(const BenchOptions& options, const std::vector<std::string>& scenes
 }  // namespace
 
 void add_soak(CLI::App& program, Invocation& invocation) {
-  struct Options : BenchOptions {
-    std::vector<std::string> scenes;
-    long step_count = 100000;
-  };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SoakOptions>();
   CLI::App& command = *program.add_subcommand(
       "soak", "scenes that are grabbed and let go for very long, twice: what drifts, what grows");
   command.add_option("scenes", options->scenes, "scenes (.json) or tetrahedral meshes; default: three shipped ones")
@@ -38,11 +40,10 @@ void add_soak(CLI::App& program, Invocation& invocation) {
   command.add_option("--steps", options->step_count, "of every run")
       ->check(CLI::Range(2400l, 1000000000l))
       ->capture_default_str();
+  add_discretization(command, options->discretization, "of all scenes; default: their own");
   add_graphics(command, *options);
   add_examples(command, {"fascia soak cube.json --steps 20000 --out soak"}, "something drifts or grows");
-  command.callback([&invocation, options] {
-    invocation.run = [options] { return run_soak(*options, options->scenes, options->step_count); };
-  });
+  command.callback([&invocation, options] { invocation.run = [options] { return run_soak(*options); }; });
 }
 
 }  // namespace fascia

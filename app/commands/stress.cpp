@@ -5,6 +5,7 @@
 
 #include "app/bench/bench.h"
 #include "app/cli/command_line.h"
+#include "app/cli/discretization.h"
 #include "app/cli/name_pattern.h"
 #include "app/commands/command.h"
 #include "app/stress/stress.h"
@@ -17,6 +18,11 @@ namespace fascia {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct StressOptions : BenchOptions {
+  std::string only, model;
+  Discretization discretization;
+};
 
 struct Row {
   SolverChoice pair;
@@ -65,14 +71,17 @@ Table table_of(const std::vector<Row>& rows) {
   Table table;
   table.columns = {"group",    "case",        "method",    "acceleration",   "passed",        "failures",
                    "steps",    "recovered_s", "rms_sizes", "farthest_sizes", "energy_growth", "momentum_growth",
-                   "inverted", "least_J",     "elastic_J", "model",          "replay"};
+                   "inverted", "least_J",     "elastic_J", "model",          "integrator",    "elements",
+                   "replay"};
   for (const Row& row : rows) {
     const StressResult& r = row.result;
+    const Scene& scene = row.made.replay.scene;
     table.rows.push_back({row.made.group, row.made.name, name_of(row.pair.method), name_of(row.pair.acceleration),
                           row.passed() ? 1 : 0, joined(r.failures, "; "), r.steps,
                           r.recovered_after >= 0 ? Cell(r.recovered_after) : Cell(), r.rms, r.farthest, r.energy_growth,
                           r.momentum_growth, r.inverted, r.least_volume_ratio, r.elastic,
-                          name_of(row.made.replay.scene.bodies[0].material.model), row.replay.string()});
+                          name_of(scene.bodies[0].material.model), name_of(scene.solver.integrator),
+                          name_of(scene.bodies[0].elements), row.replay.string()});
   }
   return table;
 }
@@ -122,19 +131,20 @@ MaterialModel model_for(Method method, const std::string& model) {
   return carries(method, kTissueLaw) ? kTissueLaw : Material().model;
 }
 
-int run_stress(const BenchOptions& options, const std::string& only, const std::string& chosen,
-               const std::string& integrator) {
+int run_stress(const StressOptions& options) {
+  const Integrator integrator = *options.discretization.integrator();
+  const ElementOrder elements = *options.discretization.elements();
   std::vector<Row> rows;
   bool stopped = false;
   Bench bench(options, "stress");
   try {
     bench.say(describe(bench.graphics));
     for (const SolverChoice& pair : solver_choices()) {
-      const MaterialModel model = model_for(pair.method, chosen);
-      if (!carries(pair.method, model)) continue;
-      for (StressCase& made : stress_cases(pair, model, *find_integrator(integrator), bench.folder, options.quick)) {
+      const MaterialModel model = model_for(pair.method, options.model);
+      if (!can_run(pair.method, model, elements)) continue;
+      for (StressCase& made : stress_cases(pair, model, integrator, elements, bench.folder, options.quick)) {
         const std::string name = full_name(made, pair);
-        if (!matches(name, only)) continue;
+        if (!matches(name, options.only)) continue;
         bench.stop_if_interrupted();
         Row& row = rows.emplace_back(Row{pair, std::move(made), {}, {}});
         {
@@ -151,7 +161,7 @@ int run_stress(const BenchOptions& options, const std::string& only, const std::
     stopped = true;
   }
   if (rows.empty() && !stopped)
-    throw Error("--only " + only, "matches no case", "expected a part of group/case/method + acceleration");
+    throw Error("--only " + options.only, "matches no case", "expected a part of group/case/method + acceleration");
   bench.write("stress", table_of(rows));
   write_file(bench.folder / "summary.md", summary_of(bench, rows));
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.passed(); });
@@ -164,10 +174,7 @@ int run_stress(const BenchOptions& options, const std::string& only, const std::
 }  // namespace
 
 void add_stress(CLI::App& program, Invocation& invocation) {
-  struct Options : BenchOptions {
-    std::string only, model, integrator = name_of(SolverSettings().integrator);
-  };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StressOptions>();
   options->width = 640;
   options->height = 360;
   std::vector<std::string> models;
@@ -186,16 +193,13 @@ void add_stress(CLI::App& program, Invocation& invocation) {
   add_choice(command, "--model", options->model, models,
              std::string("material model of all bodies (default: ") + name_of(kTissueLaw) + ", or " +
                  name_of(Material().model) + " with methods that do not carry it)");
-  std::vector<std::string> names;
-  for (const IntegratorInfo& info : integrators()) names.emplace_back(info.name);
-  add_choice(command, "--integrator", options->integrator, names, "time integrator of all cases");
+  options->discretization = {name_of(SolverSettings().integrator), name_of(Body().elements)};
+  add_discretization(command, options->discretization, "of all cases");
   add_size(command, options->width, options->height);
   add_graphics(command, *options);
   add_examples(command, {"fascia stress --quick --out stress", "fascia stress --only 'start/*two_level' --out stress"},
                "a case fails");
-  command.callback([&invocation, options] {
-    invocation.run = [options] { return run_stress(*options, options->only, options->model, options->integrator); };
-  });
+  command.callback([&invocation, options] { invocation.run = [options] { return run_stress(*options); }; });
 }
 
 }  // namespace fascia

@@ -32,6 +32,7 @@ Scene StressCases::scene(const std::string& mesh_name, const TetMesh& mesh, bool
   body.mesh = "meshes/" + mesh_name + ".msh";
   body.material.young_modulus = 1e6;
   body.material.model = model;
+  body.elements = elements;
   if (clamped) body.fixed.push_back(BoxSelection{{-kNearFace, -1, -1}, {kNearFace, 1, 1}});
   made.bodies.push_back(body);
   made.solver = solver();

@@ -23,6 +23,7 @@ struct StressCases {
   SolverChoice pair;
   MaterialModel model;
   Integrator integrator;
+  ElementOrder elements;
   std::filesystem::path folder;
   bool quick;
   std::vector<StressCase> cases = {};

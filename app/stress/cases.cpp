@@ -8,12 +8,18 @@ using AddCases = void(StressCases& c);
 AddCases add_starts, add_numbers, add_conservation, add_meshes, add_handling, add_standing, add_slender, add_contact,
     add_bodies, add_tangles;
 
+bool can_run(Method method, MaterialModel model, ElementOrder elements) {
+  Material material;
+  material.model = model;
+  return refusal(method, {material}, elements == ElementOrder::quadratic).empty();
+}
+
 std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, Integrator integrator,
-                                     const std::filesystem::path& folder, bool quick) {
+                                     ElementOrder elements, const std::filesystem::path& folder, bool quick) {
   std::error_code ec;
   std::filesystem::create_directories(folder / "meshes", ec);
   if (ec) throw Error((folder / "meshes").string(), "cannot be made: " + ec.message(), "expected a writable folder");
-  StressCases c{pair, model, integrator, folder, quick};
+  StressCases c{pair, model, integrator, elements, folder, quick};
   for (AddCases* add : {add_starts, add_numbers, add_conservation, add_meshes, add_handling, add_standing, add_slender,
                         add_contact, add_bodies, add_tangles})
     add(c);

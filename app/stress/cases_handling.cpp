@@ -77,7 +77,7 @@ void add_handling(StressCases& c) {
       SolverSettings settings = c.solver();
       std::vector<SolverChoice> able;
       for (const SolverChoice& p : solver_choices())
-        if (carries(p.method, c.model)) able.push_back(p);
+        if (can_run(p.method, c.model, c.elements)) able.push_back(p);
       const SolverChoice& now = able[static_cast<std::size_t>(step) % able.size()];
       settings.method = now.method;
       settings.acceleration = now.acceleration;

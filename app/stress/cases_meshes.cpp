@@ -13,13 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Displaces every vertex by up to a tenth of the mean edge around it.
+// Displaces every vertex by up to a tenth of its mean distance to the others of its elements.
 std::optional<State> shaken(const Scene& scene) {
   const Model built = build_model(scene);
   std::vector<double> edge(built.rest_positions.size(), 0), count(edge);
-  for (const Tet& tet : built.tets)
-    for (const std::uint32_t a : tet)
-      for (const std::uint32_t b : tet) {
+  for (std::size_t t = 0; t < built.tets.size(); ++t)
+    for (const std::uint32_t a : built.element(t))
+      for (const std::uint32_t b : built.element(t)) {
         edge[a] += (built.rest_positions[a] - built.rest_positions[b]).norm();
         count[a] += a != b;
       }

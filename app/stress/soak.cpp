@@ -101,10 +101,13 @@ std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& seco
   return failures;
 }
 
-int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps) {
+int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps,
+                const Discretization& discretization) {
   Table table;
   table.columns = {"scene",
                    "tets",
+                   "elements",
+                   "integrator",
                    "steps",
                    "run",
                    "hash",
@@ -120,6 +123,8 @@ int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, 
   int failed = 0;
   for (const std::filesystem::path& input : inputs) {
     Scene scene = open_scene(input);
+    scene.solver.integrator = discretization.integrator().value_or(scene.solver.integrator);
+    for (Body& body : scene.bodies) body.elements = discretization.elements().value_or(body.elements);
     const std::string name = input.stem().string();
     const std::size_t tets = settled_model(scene).tets.size();
     const SoakRun runs[2] = {soak(bench, scene, steps), soak(bench, scene, steps)};
@@ -128,9 +133,9 @@ int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, 
     failed += !what.empty();
     for (int k = 0; k < 2; ++k) {
       const SoakRun& run = runs[k];
-      table.rows.push_back({name, tets, steps, k + 1, hash_text(run.hash), run.elastic_first, run.elastic_last,
-                            run.kinetic_last, run.strained, run.gpu_first, run.gpu_last, run.memory_first,
-                            run.memory_last, what});
+      table.rows.push_back({name, tets, name_of(scene.bodies[0].elements), name_of(scene.solver.integrator), steps,
+                            k + 1, hash_text(run.hash), run.elastic_first, run.elastic_last, run.kinetic_last,
+                            run.strained, run.gpu_first, run.gpu_last, run.memory_first, run.memory_last, what});
     }
     bench.write("soak", table);
     bench.say(name + ": " + (what.empty() ? "passed" : what));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/bench/bench.h"
+#include "app/cli/discretization.h"
 
 namespace fascia {
 
@@ -25,7 +26,9 @@ SoakRun soak(Bench& bench, const Scene& scene, long steps);
 /// The differences between two equal runs and other failures, one text each; empty: none.
 std::vector<std::string> soak_failures(const SoakRun& first, const SoakRun& second);
 
-/// Runs every scene twice and writes soak.csv after each. Returns the number of failures.
-int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps);
+/// Runs every scene twice, with this integrator and these elements if they are given, and writes soak.csv after each.
+/// Returns the number of failures.
+int soak_scenes(Bench& bench, const std::vector<std::filesystem::path>& inputs, long steps,
+                const Discretization& discretization);
 
 }  // namespace fascia

@@ -32,9 +32,12 @@ struct StressCase {
   StressCriteria criteria;
 };
 
+/// Whether the method carries bodies of this law and these elements.
+bool can_run(Method method, MaterialModel model, ElementOrder elements);
+
 /// All cases for one solver choice. Writes their meshes into `folder`. `quick`: meshes with a sixth of the tets.
 std::vector<StressCase> stress_cases(const SolverChoice& pair, MaterialModel model, Integrator integrator,
-                                     const std::filesystem::path& folder, bool quick);
+                                     ElementOrder elements, const std::filesystem::path& folder, bool quick);
 
 struct StressResult {
   std::vector<std::string> failures;  // "not finite after 12 steps"; empty: passed

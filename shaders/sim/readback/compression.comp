@@ -1,4 +1,4 @@
-// The largest 1 - J of all tets, by their corners, as bits of a float, whose order is that of floats that are not
+// The largest 1 - J of all linear tets, as bits of a float, whose order is that of floats that are not
 // negative: for the CPU, which looks whether tissue may be tangled (sim/gpu/readback/tangle_watch.h).
 #include "common/io.glsl"
 #include "common/tet.glsl"
@@ -16,5 +16,6 @@ void main() {
                                    FETCH(displacement, tet.v.z).xyz, FETCH(displacement, tet.v.w).xyz);
     most = max(most, -det_f_minus_one(h));
   }
-  atomicMax(compression[0], floatBitsToUint(most));
+  // A tet at rest may have -0.0, whose bits are the largest.
+  if (most > 0.0) atomicMax(compression[0], floatBitsToUint(most));
 }

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "sim/gpu/passes/features.h"
 #include "sim/gpu/passes/reduction.h"
 
 namespace fascia {
@@ -34,14 +35,23 @@ void Easing::look(double least, double time, bool handled) {
 
 TangleWatch::TangleWatch(gl::ProgramCache& programs, const SimBuffers& buffers)
     : compression_("compression", sizeof(std::uint32_t)),
-      read_back_(gl::Buffer::staging("compression_read_back", sizeof(std::uint32_t))),
-      measure_(programs.compute("sim/readback/compression.comp"),
-               gl::ComputePass::Bindings{{"displacement", &buffers.displacement},
-                                         {"tet_vertices", &buffers.tet_vertices},
-                                         {"tet_shape", &buffers.tet_shape},
-                                         {"compression", &compression_}},
-               Reduction(programs, buffers.tet_count, true).lanes,
-               gl::ComputePass::Constants{{"tet_count", buffers.tet_count}}) {}
+      read_back_(gl::Buffer::staging("compression_read_back", sizeof(std::uint32_t))) {
+  gl::ComputePass::Bindings bindings{{"displacement", &buffers.displacement}, {"compression", &compression_}};
+  if (buffers.has_linear()) {
+    gl::ComputePass::Bindings linear = bindings;
+    linear.insert(linear.end(), {{"tet_vertices", &buffers.tet_vertices}, {"tet_shape", &buffers.tet_shape}});
+    measures_.emplace_back(programs.compute("sim/readback/compression.comp"), std::move(linear),
+                           Reduction(programs, buffers.linear_count(), true).lanes,
+                           gl::ComputePass::Constants{{"tet_count", buffers.linear_count()}});
+  }
+  if (!buffers.has_quadratic()) return;
+  gl::ComputePass::Constants constants = constants_of_quadratic(buffers);
+  constants.emplace_back("quadratic_count", buffers.quadratic_count);
+  measures_.emplace_back(
+      programs.compute("sim/quadratic/quadratic_compression.comp", defines_of_quadratic({}, buffers)),
+      with_quadratic(std::move(bindings), buffers), Reduction(programs, buffers.quadratic_count, true).lanes,
+      std::move(constants));
+}
 
 Hardness TangleWatch::hardness(double time, bool handled) {
   if (age_ >= kInterval) {
@@ -49,7 +59,7 @@ Hardness TangleWatch::hardness(double time, bool handled) {
       easing_.look(1 - static_cast<double>(std::bit_cast<float>(read_back_.read<std::uint32_t>().front())), time,
                    handled);
     compression_.clear();
-    measure_.run();
+    for (const gl::ComputePass& measure : measures_) measure.run();
     read_back_.copy(compression_, sizeof(std::uint32_t));
     fence_.set();
     age_ = 0;

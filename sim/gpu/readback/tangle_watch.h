@@ -9,6 +9,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "gl/compute_pass.h"
 #include "gl/fence.h"
@@ -35,7 +36,8 @@ class TangleWatch {
  public:
   static constexpr int kInterval = 8;  // steps from one reading to the next
 
-  /// Of all tets, by their corners. `buffers` must outlive this object, and keep their tets' order.
+  /// Of all tets, of quadratic ones at their points and corners. `buffers` must outlive this object, and keep their
+  /// tets' order.
   TangleWatch(gl::ProgramCache& programs, const SimBuffers& buffers);
 
   /// Of the next step; called once before each.
@@ -49,9 +51,10 @@ class TangleWatch {
   }
 
  private:
-  gl::Buffer compression_;  // uint [1] (shaders/sim/readback/compression.comp)
+  gl::Buffer
+      compression_;  // uint [1] (shaders/sim/readback/compression.comp, sim/quadratic/quadratic_compression.comp)
   gl::Buffer read_back_;
-  gl::ComputePass measure_;
+  std::vector<gl::ComputePass> measures_;
   gl::Fence fence_;
   Easing easing_;
   int age_ = kInterval;  // steps since the last reading

@@ -23,9 +23,9 @@ namespace {
 struct Suite {
   test::TemporaryFolder folder;
   std::vector<StressCase> cases;
-  explicit Suite(const SolverChoice& pair = solver_choices().front())
-      : cases(stress_cases(pair, MaterialModel::signed_st_venant_kirchhoff, Integrator::implicit_euler, folder.path(),
-                           true)) {}
+  explicit Suite(const SolverChoice& pair = solver_choices().front(), ElementOrder elements = ElementOrder::linear)
+      : cases(stress_cases(pair, MaterialModel::signed_st_venant_kirchhoff, Integrator::implicit_euler, elements,
+                           folder.path(), true)) {}
   const StressCase& find(const std::string& group, const std::string& name) const {
     const auto found = std::find_if(cases.begin(), cases.end(),
                                     [&](const StressCase& c) { return c.group == group && c.name == name; });
@@ -95,10 +95,35 @@ TEST_CASE("every case of the stress suite has a unique name and can be simulated
   CHECK(suite.has("method switched every frame") == (pair == solver_choices().front()));
 }
 
+TEST_CASE("with quadratic elements all bodies of the stress suite have them, and no method that does not carry them",
+          "[cases]") {
+  const Suite linear, suite(solver_choices().front(), ElementOrder::quadratic);
+  REQUIRE(suite.cases.size() == linear.cases.size());
+  for (const StressCase& c : suite.cases) {
+    CAPTURE(c.group, c.name);
+    for (const Body& body : c.replay.scene.bodies) CHECK(body.elements == ElementOrder::quadratic);
+    const Model model = build_model(c.replay.scene);
+    if (c.replay.start) REQUIRE(c.replay.start->displacement.size() == model.rest_positions.size());
+    for (const Input& input : c.replay.inputs)
+      if (const auto* solver = std::get_if<SolverSettings>(&input.change))
+        CHECK(refusal(solver->method, model.materials, true, model.has_contact()) == "");
+  }
+  CHECK(can_run(Method::two_level, kTissueLaw, ElementOrder::quadratic));
+  CHECK(!can_run(Method::gauss_seidel, Material().model, ElementOrder::quadratic));
+  CHECK(can_run(Method::gauss_seidel, Material().model, ElementOrder::linear));
+  CHECK(!can_run(Method::gauss_seidel, kTissueLaw, ElementOrder::linear));
+
+  const Model tet = suite.model_of("mesh", "single tet");
+  const State& shaken = *suite.find("mesh", "single tet").replay.start;
+  REQUIRE(tet.rest_positions.size() == 10);
+  for (const Vector3d& u : shaken.displacement) CHECK(u.norm() > 0);
+}
+
 TEST_CASE("a mesh of the stress suite keeps its name for itself", "[cases]") {
   const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "meshes");
-  StressCases made{solver_choices().front(), kTissueLaw, Integrator::implicit_euler, folder.path(), true};
+  StressCases made{solver_choices().front(), kTissueLaw,    Integrator::implicit_euler,
+                   ElementOrder::linear,     folder.path(), true};
   made.scene("beam", made.beam());
   made.scene("beam", made.beam());
   CHECK_THROWS_AS(made.scene("beam", made.beam(1)), std::logic_error);

@@ -165,6 +165,12 @@ TEST_CASE("a failure writes a table, a summary, a picture and a replay that repr
   CHECK_THAT(read_file(folder / "stats.json"),
              Catch::Contains("\"steps\": 150") && !Catch::Contains("\"inverted\": 0,"));
 
+  const CommandResult curved = stress({"--only", "mesh/cap/", "--integrator", "sdirk2", "--elements", "quadratic"});
+  CAPTURE(curved.err);
+  const std::string table = read_file(folder.path() / "out" / "stress.csv");
+  CHECK_THAT(table, Catch::Contains("mesh,cap,two_level,subspace,") && Catch::Contains(",sdirk2,quadratic,"));
+  CHECK_THAT(table, !Catch::Contains("vertex_descent"));
+
   const CommandResult none = stress({"--only", "no such case"});
   CHECK(none.exit_code == 1);
   CHECK_THAT(

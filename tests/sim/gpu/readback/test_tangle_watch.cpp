@@ -98,6 +98,40 @@ TEST_CASE("the watch finds an inverted tet a reading later, and forgets it with 
   CHECK(first_eased(1.5) == 40);
 }
 
+// The corners of the tet stay where they are: a mid-edge vertex that moves by d along its edge of 0.1 m leads to J = 1
+// + 40 d at a corner, and to J = 1 + 17.9 d at the point next to it.
+TEST_CASE(
+    "the watch looks at the points of a quadratic tet, where the law acts, and at linear tets beside it, while other "
+    "tets rest",
+    "[gpu]") {
+  Gpu gpu;
+  TetMesh mesh;
+  for (const double x : {0.0, 1.0})
+    mesh.positions.insert(mesh.positions.end(), {{x, 0, 0}, {x + 0.1, 0, 0}, {x, 0.1, 0}, {x, 0, 0.1}});
+  mesh.tets = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  mesh.regions = {0, 0};
+  const Material tissue{2e4, 0.3, 1000, 0, MaterialModel::squared};
+  const auto nothing_held = [](const Vector3d&) { return false; };
+  const std::uint32_t first = GENERATE(0u, 1u);  // quadratic tet: all of them, or beside a linear one
+  const Model model = quadratic(make_model(mesh, tissue, nothing_held), first);
+  SimBuffers buffers(model);
+  TangleWatch watch(gpu.programs, buffers);
+  const auto eases = [&](std::uint32_t vertex, double along_z) {
+    State state = initial_state(model);
+    state.displacement[vertex] = float32_of(Vector3d(0, 0, along_z));
+    buffers.upload_state(model, state);
+    watch.restart();
+    for (int step = 0; step < 2 * TangleWatch::kInterval; ++step)
+      if (watch.hardness(0, true) == Hardness::eased) return true;
+    return false;
+  };
+  const std::uint32_t middle = model.mid_edges[1][3];  // of the edge along z
+  CHECK_FALSE(eases(middle, 0));
+  CHECK_FALSE(eases(middle, -0.04));
+  CHECK(eases(middle, -0.07));
+  if (first == 1) CHECK(eases(3, -0.11));
+}
+
 TEST_CASE("a solver eases the law of a tet that is pushed through its foot, and ends that with a new state", "[gpu]") {
   Gpu gpu;
   const Model model = one_tet();
