@@ -14,6 +14,7 @@ OUTPUT(vec4, Displacement, displacement)
 INOUT(vec4, LastStep, last_step)           // [vertex_count] p [m]
 uniform uint bodies;
 #define NO_BODY 0xffffffffu
+#define BODY_WORD(word) FETCH1(contact_bodies, word)
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -21,13 +22,12 @@ void main() {
   if (leader == NO_BODY) return;
   float share = uintBitsToFloat(FETCH1(contact_bodies, leader));
   uint force = FORCE_OF_BODY(FETCH1(contact_body, 2u * i + 1u));
-  bool carried = is_carried(FETCH1(contact_bodies, force), FETCH1(contact_bodies, force + 1u), FETCH1(contact_bodies, force + 2u));
+  bool carried = IS_CARRIED(force);
   if (!carried && (share == 0.0 || share >= 1.0)) return;
   vec3 step = last_step[i].xyz, free = step;
   if (carried) {
     if (ITERATIONS >= 4.0) step -= SUBSTEP * SUBSTEP * GRAVITY;
-    free = way_of_carried(FETCH1(contact_bodies, force + 3u), FETCH1(contact_bodies, force + 4u), FETCH1(contact_bodies, force + 5u),
-                          FETCH1(contact_bodies, force + 6u));
+    free = WAY_OF_CARRIED(force);
   }
   free *= min(share, 1.0);
   displacement[i].xyz = FETCH_IN_PLACE(iterate, i).xyz + free;

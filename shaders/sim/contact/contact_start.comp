@@ -18,6 +18,7 @@ INOUT(vec4, ContactAnchor, contact_anchor)         // [rows] of near rows, u wit
 OUTPUT(vec4, ContactNormalNow, contact_normal_now)  // [rows] of near rows
 INOUT(uint, ContactBodies, contact_bodies)         // support.glsl
 uniform uint bodies, points;
+#define BODY_WORD(word) contact_bodies[word]
 
 // The share of a way in the axes of the piece at which it enters the piece; 1: not.
 float entry_of(uint piece, vec3 from, vec3 way) {
@@ -59,8 +60,7 @@ void main() {
   vec3 rest = FETCH(contact_rest, 2u * i).xyz, x = rest + start;
   uint body = contact_bodies[BODY_OF_POINT(i)], force = FORCE_OF_BODY(body), leader = contact_bodies[LEADER_OF_POINT(i)];
   float mass = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]);
-  if (is_carried(contact_bodies[force], contact_bodies[force + 1u], contact_bodies[force + 2u]))
-    way = way_of_carried(contact_bodies[force + 3u], contact_bodies[force + 4u], contact_bodies[force + 5u], contact_bodies[force + 6u]);
+  if (IS_CARRIED(force)) way = WAY_OF_CARRIED(force);
   uint near = FETCH1(contact_near, i);  // not 0: the point is listed
   do {  // llvmpipe runs the body of other loops once more
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;

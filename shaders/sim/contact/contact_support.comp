@@ -31,6 +31,17 @@ float crowd_at(uint piece, uvec4 vertices, vec4 weights) {
 #endif
 }
 
+ivec3 units(vec3 v, float unit) {
+  const float most = 1073741824.0;  // 2^30
+  return ivec3(round(clamp(v / unit, -most, most)));
+}
+
+void add(uint first, ivec3 v) {
+  atomicAdd(contact_bodies[first], uint(v.x));
+  atomicAdd(contact_bodies[first + 1u], uint(v.y));
+  atomicAdd(contact_bodies[first + 2u], uint(v.z));
+}
+
 void main() {
   ITEM_OR_RETURN(i)
 #if PAIRS
@@ -38,7 +49,8 @@ void main() {
 #endif
   uint body = contact_bodies[BODY_OF_POINT(i)];
   float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * length(GRAVITY);
-  vec3 force = vec3(0.0), way = vec3(0.0);
+  vec3 force = vec3(0.0), friction = vec3(0.0), way = vec3(0.0), to_tool = vec3(0.0);
+  float bound = 0.0;
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
   uint near = FETCH1(contact_near, i);  // not 0: the point is listed
@@ -51,24 +63,30 @@ void main() {
     if (memory.w <= 0.0) continue;
     PiecePose pose = pose_at_start(piece);
     vec3 start = AT_POINT(start_displacement, vertices, weights), x = FETCH(contact_rest, 2u * i).xyz + start;
-    way = AT_POINT(displacement, vertices, weights) - start - SUBSTEP * SUBSTEP * GRAVITY;
-    vec3 normal = distance_to(piece, to_local(pose, x)).xyz;
+    vec3 local = to_local(pose, x), normal = distance_to(piece, local).xyz;
 #if MESHES
     normal = normalize(normal);
 #endif
     force += pose.axes * (memory.w * normal + memory.xyz);
+    way = AT_POINT(displacement, vertices, weights) - start - SUBSTEP * SUBSTEP * GRAVITY;
+    PiecePose end = pose_at_end(piece);
+    vec3 beside = end.axes * local + end.origin - x - way;
+    normal = pose.axes * normal;
+    way += dot(beside, normal) * normal;
+    to_tool = beside - dot(beside, normal) * normal;
+    friction += pose.axes * memory.xyz;
+    bound += friction_of(piece) * memory.w;
   } while (near != 0u);
-  const float most = 1073741824.0;  // 2^30
-  ivec3 whole = weight > 0.0 ? ivec3(round(clamp(force / (SUPPORT_UNIT * weight), -most, most))) : ivec3(0);
-  if (whole != ivec3(0)) {
-    uint sums = FORCE_OF_BODY(body);
-    ivec3 ways = ivec3(round(clamp(way / (WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY)), -most, most)));
-    atomicAdd(contact_bodies[sums], uint(whole.x));
-    atomicAdd(contact_bodies[sums + 1u], uint(whole.y));
-    atomicAdd(contact_bodies[sums + 2u], uint(whole.z));
-    atomicAdd(contact_bodies[sums + 3u], uint(ways.x));
-    atomicAdd(contact_bodies[sums + 4u], uint(ways.y));
-    atomicAdd(contact_bodies[sums + 5u], uint(ways.z));
-    atomicAdd(contact_bodies[sums + 6u], 1u);
-  }
+  if (weight <= 0.0) return;
+  float fall = WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY);
+  weight *= SUPPORT_UNIT;
+  ivec3 whole = units(force, weight);
+  if (whole == ivec3(0)) return;
+  uint sums = FORCE_OF_BODY(body);
+  add(sums, whole);
+  add(sums + 3u, units(way, fall));
+  atomicAdd(contact_bodies[sums + 6u], 1u);
+  add(sums + 7u, units(to_tool, fall));
+  add(sums + 10u, units(friction, weight));
+  atomicAdd(contact_bodies[sums + 13u], uint(units(vec3(bound), weight).x));
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kUnitsOfWeight = 1 << 18;  // 1 / SUPPORT_UNIT of shaders/sim/contact/support.glsl
 constexpr double kUnitsOfWay = 1 << 13;     // 1 / WAY_UNIT
+constexpr std::size_t kWords = 16;          // of a body there
+constexpr std::size_t kToolWords = 7;       // of them: what tools alone add
 
 }  // namespace
 
@@ -29,7 +31,7 @@ BodyStarts::BodyStarts(const Model& model, const SimBuffers& buffers, const std:
     held_[bodies[v]] |= held[v];
   }
   vertices_ = gl::Buffer("contact_body", std::vector<std::uint32_t>(2 * own_.size()));
-  bodies_ = gl::Buffer("contact_bodies", std::vector<std::uint32_t>(9 * shares_.size() + 2 * points_.size()));
+  bodies_ = gl::Buffer("contact_bodies", std::vector<std::uint32_t>(kWords * shares_.size() + 2 * points_.size()));
   upload_leaders();
   materials_changed(model);
 }
@@ -59,6 +61,7 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
     for (const double force : supports[body].force) add(weight > 0 ? kUnitsOfWeight * force / weight : 0);
     for (const double way : supports[body].way) add(weight > 0 && fall > 0 ? kUnitsOfWay * way / fall : 0);
     values.push_back(weight > 0 ? supports[body].count : 0);
+    values.insert(values.end(), kToolWords, 0);  // other tissue is no tool
   }
   for (const double mass : masses_) values.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(mass)));
   bodies_.upload(0, values.size() * sizeof(std::uint32_t), values.data());
@@ -69,7 +72,7 @@ bool BodyStarts::meets() const {
 }
 
 void BodyStarts::stay() {
-  const std::vector<float> none(9 *
+  const std::vector<float> none(kWords *
                                 shares_.size());  // no share, nothing that carries, nor a mass that would be carried
   bodies_.upload(0, none.size() * sizeof(float), none.data());
 }
@@ -84,7 +87,7 @@ void BodyStarts::upload_leaders() {
   for (const std::uint32_t vertex : points_) of_points.push_back(of_vertices[2 * vertex]);
   for (const std::uint32_t vertex : points_) of_points.push_back(own_[vertex]);
   if (!of_points.empty())
-    bodies_.upload(9 * shares_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
+    bodies_.upload(kWords * shares_.size() * sizeof(float), of_points.size() * sizeof(std::uint32_t), of_points.data());
 }
 
 }  // namespace fascia
