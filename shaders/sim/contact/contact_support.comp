@@ -49,7 +49,7 @@ void main() {
 #endif
   uint body = contact_bodies[BODY_OF_POINT(i)];
   float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * length(GRAVITY);
-  vec3 force = vec3(0.0), friction = vec3(0.0), way = vec3(0.0), to_tool = vec3(0.0);
+  vec3 force = vec3(0.0), friction = vec3(0.0), way = vec3(0.0), along = vec3(0.0), across = vec3(0.0);
   float bound = 0.0;
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
@@ -70,23 +70,26 @@ void main() {
     force += pose.axes * (memory.w * normal + memory.xyz);
     way = AT_POINT(displacement, vertices, weights) - start - SUBSTEP * SUBSTEP * GRAVITY;
     PiecePose end = pose_at_end(piece);
-    vec3 beside = end.axes * local + end.origin - x - way;
+    vec3 lacking = end.axes * local + end.origin - x - way;
     normal = pose.axes * normal;
-    way += dot(beside, normal) * normal;
-    to_tool = beside - dot(beside, normal) * normal;
+    along = dot(lacking, normal) * normal;
+    across = lacking - along;
     friction += pose.axes * memory.xyz;
     bound += friction_of(piece) * memory.w;
   } while (near != 0u);
   if (weight <= 0.0) return;
-  float fall = WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY);
+  float fall = STAGE_DURATION * STAGE_DURATION * length(GRAVITY), unit = WAY_UNIT * fall;
   weight *= SUPPORT_UNIT;
   ivec3 whole = units(force, weight);
   if (whole == ivec3(0)) return;
   uint sums = FORCE_OF_BODY(body);
   add(sums, whole);
-  add(sums + 3u, units(way, fall));
+  add(sums + 3u, units(way, unit));
   atomicAdd(contact_bodies[sums + 6u], 1u);
-  add(sums + 7u, units(to_tool, fall));
-  add(sums + 10u, units(friction, weight));
-  atomicAdd(contact_bodies[sums + 13u], uint(units(vec3(bound), weight).x));
+  add(sums + 7u, units(along, unit));
+  add(sums + 10u, units(across, unit));
+  add(sums + 13u, units(friction, weight));
+  atomicAdd(contact_bodies[sums + 16u], uint(units(vec3(bound), weight).x));
+  vec3 falls = (along + across) / fall;
+  atomicAdd(contact_bodies[sums + 17u], uint(units(vec3(dot(falls, falls)), SQUARE_UNIT).x));
 }

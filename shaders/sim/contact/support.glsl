@@ -1,27 +1,29 @@
 // What carries a body: it hardly follows gravity within a step, and the iterations go back to where it goes on as its
-// points that press did, without gravity and as a whole: what else moves in it, a tool may end in this step. Along the
-// normals they go with the tool, and across them, too, where friction holds the body as a whole: between plates that
-// accelerate, iterations from where velocities alone lead cannot bring it along. From where gravity leads, inside the ground, ten iterations would leave a body that is stiff for its size with
+// points that press did, without gravity and as a whole: what else moves in it, a tool may end in this step. Where
+// tools take all of these points alike, it goes with them along the normals, and across them, too, where friction holds it
+// as a whole: between plates that accelerate, iterations from where velocities alone lead cannot bring it along. From where gravity leads, inside the ground, ten iterations would leave a body that is stiff for its size with
 // several times its weight. The forces that contact had at the end of the stage before tell whether it is carried, and
 // not how much: in a stiff body a start that is off by a hundredth of what gravity does is as bad as one without them.
 //
 // contact_bodies (sim/gpu/contact/body_starts.h): [bodies] as floats: the share of the first step that is free;
-// [14 * bodies] as integers: the force of contact, in units of SUPPORT_UNIT weights, the sum of the ways of points that
-// press, in WAY_UNIT of that of a fall within the stage, their number, the sum of the ways from there to where tools take
-// these points, the friction of tools and the sum of its bounds mu N; [bodies] as floats: masses [kg], 0 for bodies that
-// start without gravity; [points] the body whose share a point limits; [points] its own body. Kernels say how they read a
-// word of it: BODY_WORD.
-#define FORCE_OF_BODY(body) (bodies + 14u * (body))
-#define MASS_OF_BODY(body) (15u * bodies + (body))
-#define LEADER_OF_POINT(point) (16u * bodies + (point))
-#define BODY_OF_POINT(point) (16u * bodies + points + (point))
+// [18 * bodies] as integers: the force of contact, in units of SUPPORT_UNIT weights, the sum of the ways of points that
+// press, in WAY_UNIT of that of a fall within the stage, their number, the sums of what these ways lack to where tools take
+// the points, along the normals and across, the friction of tools, the sum of its bounds mu N, and that of the squares of
+// what ways lack, in SQUARE_UNIT of that of a fall; [bodies] as floats: masses [kg], 0 for bodies that start without
+// gravity; [points] the body whose share a point limits; [points] its own body. Kernels say how they read a word of it:
+// BODY_WORD.
+#define FORCE_OF_BODY(body) (bodies + 18u * (body))
+#define MASS_OF_BODY(body) (19u * bodies + (body))
+#define LEADER_OF_POINT(point) (20u * bodies + (point))
+#define BODY_OF_POINT(point) (20u * bodies + points + (point))
 #define THREE_WORDS(first) vec3(int(BODY_WORD(first)), int(BODY_WORD((first) + 1u)), int(BODY_WORD((first) + 2u)))
 #define IS_CARRIED(force) is_carried(THREE_WORDS(force))
 #define WAY_OF_CARRIED(force) \
   way_of_carried(THREE_WORDS((force) + 3u), BODY_WORD((force) + 6u), THREE_WORDS((force) + 7u), THREE_WORDS((force) + 10u), \
-                 BODY_WORD((force) + 13u))
+                 THREE_WORDS((force) + 13u), BODY_WORD((force) + 16u), BODY_WORD((force) + 17u))
 #define SUPPORT_UNIT 3.814697265625e-6  // 2^-18
 #define WAY_UNIT 1.220703125e-4         // 2^-13
+#define SQUARE_UNIT 9.765625e-4         // 2^-10
 
 // Half of the force with which a slope of this body's weight would press it is enough.
 bool is_carried(vec3 units) {
@@ -30,10 +32,12 @@ bool is_carried(vec3 units) {
   return size > 0.0 && up >= 0.2 * gravity * size && gravity * size * size >= 0.5 * up;
 }
 
-// The way of a body that is carried [m].
-vec3 way_of_carried(vec3 ways, uint count, vec3 to_tools, vec3 friction, uint bound) {
-  vec3 all = length(friction) < 0.98 * float(bound) ? ways + to_tools : ways;
-  return all * (WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY) / float(max(count, 1u)));
+// The way of a body that is carried [m]: with the tools if these take all of its points alike.
+vec3 way_of_carried(vec3 ways, uint count, vec3 along, vec3 across, vec3 friction, uint bound, uint squares) {
+  vec3 lacking = WAY_UNIT * (along + across);
+  if (dot(lacking, lacking) >= 0.8 * float(count) * SQUARE_UNIT * float(squares))
+    ways += length(friction) < 0.98 * float(bound) ? along + across : along;
+  return ways * (WAY_UNIT * STAGE_DURATION * STAGE_DURATION * length(GRAVITY) / float(max(count, 1u)));
 }
 
 // How deep inside a piece the iterations may start, so that a point with this penalty [N/m] presses [m]: `most`, but no

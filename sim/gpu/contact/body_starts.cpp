@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kUnitsOfWeight = 1 << 18;  // 1 / SUPPORT_UNIT of shaders/sim/contact/support.glsl
 constexpr double kUnitsOfWay = 1 << 13;     // 1 / WAY_UNIT
-constexpr std::size_t kWords = 16;          // of a body there
-constexpr std::size_t kToolWords = 7;       // of them: what tools alone add
+constexpr std::size_t kWords = 20;          // of a body there
+constexpr std::size_t kToolWords = 11;      // of them: what tools alone add
 
 }  // namespace
 
