@@ -36,8 +36,8 @@ class TangleWatch {
  public:
   static constexpr int kInterval = 8;  // steps from one reading to the next
 
-  /// Of all tets, of quadratic ones at their points and corners. `buffers` must outlive this object, and keep their
-  /// tets' order.
+  /// Of all tets, of quadratic ones at the points where their law acts. `buffers` must outlive this object, and keep
+  /// their tets' order.
   TangleWatch(gl::ProgramCache& programs, const SimBuffers& buffers);
 
   /// Of the next step; called once before each.
