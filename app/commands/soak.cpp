@@ -18,7 +18,8 @@ int run_soak(const SoakOptions& options) {
   Bench bench(options, "soak");
   try {
     bench.say(describe(bench.graphics));
-    std::vector<std::filesystem::path> inputs(options.scenes.begin(), options.scenes.end());
+    std::vector<std::filesystem::path> inputs;
+    for (const std::string& name : options.scenes) inputs.push_back(input_or_shipped(name, options.data_dir));
     if (inputs.empty())
       for (const char* name : {"cube.json", "inclusion.json", "beam.json"})
         inputs.push_back(default_scene(bench.graphics.data_dir).parent_path() / name);

@@ -6,6 +6,7 @@
 #include "sim/contact/first_state.h"
 #include "sim/gpu/solver.h"
 #include "sim/reference/newton.h"
+#include "tests/sim/contact/grasp.h"
 #include "tests/sim/gpu/contact/contact_scenes.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
@@ -15,12 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using test::soft_tissue;
 using test::two_level;
-
-double mean_x(const std::vector<Vector3d>& values) {
-  double sum = 0;
-  for (const Vector3d& value : values) sum += value.x();
-  return sum / static_cast<double>(values.size());
-}
 
 // v^2 / (2 mu g), of which implicit Euler, whose steps have the speed of their end, lacks v h / 2. Without friction in
 // the first step the ways are 8 to 23 % longer than v^2 / (2 mu g).
@@ -43,7 +38,7 @@ TEST_CASE("a block that begins on the ground with a speed slides as far as frict
     solver.step();
     newton.step(state);
   }
-  const double way = mean_x(solver.download().displacement), reference_way = mean_x(state.displacement);
+  const double way = test::mean(solver.download().displacement).x(), reference_way = test::mean(state.displacement).x();
   CAPTURE(name_of(settings.integrator), way, reference_way, exact);
   CHECK(way == Approx(exact).epsilon(0.03));
   CHECK(reference_way == Approx(exact).epsilon(0.03));
@@ -74,17 +69,13 @@ TEST_CASE("a cube that two plates squeeze from the start is held by friction", "
     solver.step();
     newton.step(state);
   }
-  const auto mean_y = [](const std::vector<Vector3d>& values) {
-    double sum = 0;
-    for (const Vector3d& value : values) sum += value.y();
-    return sum / static_cast<double>(values.size());
-  };
   const State now = solver.download();
-  CAPTURE(name_of(settings.integrator), mean_y(now.displacement), mean_y(state.displacement), mean_y(now.velocity));
-  CHECK(mean_y(now.displacement) > -0.0005);
-  CHECK(mean_y(state.displacement) > -0.0005);
-  CHECK(std::abs(mean_y(now.velocity)) < 1e-3);
-  CHECK(std::abs(mean_y(state.velocity)) < 1e-3);
+  CAPTURE(name_of(settings.integrator), test::mean(now.displacement).y(), test::mean(state.displacement).y(),
+          test::mean(now.velocity).y());
+  CHECK(test::mean(now.displacement).y() > -0.0005);
+  CHECK(test::mean(state.displacement).y() > -0.0005);
+  CHECK(std::abs(test::mean(now.velocity).y()) < 1e-3);
+  CHECK(std::abs(test::mean(state.velocity).y()) < 1e-3);
 }
 
 }  // namespace
