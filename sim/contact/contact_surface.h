@@ -72,8 +72,9 @@ struct ContactSurface {
   bool empty() const { return row_count == 0; }
 };
 
-/// The penalty on depth, over the stiffness (lambda + 2 mu) A / l of the tissue below. In single steps 1 and 100 do as
-/// well; in motion a softer one lets tools sink in deeper, and a harder one makes every first touch an impact.
+/// The penalty on depth, over the stiffness M A / l of the tissue below, M being its surface_modulus(). In single steps
+/// 1 and 100 do as well; in motion a softer one lets tools sink in deeper, and a harder one makes every first touch an
+/// impact.
 inline constexpr double kContactPenalty = 10;
 
 /// Whether a point of a piece has a row in a stage: those everywhere do, and what is near an edge, or bore a force
@@ -94,9 +95,10 @@ double depth_in_tissue(const Model& model, const ContactSurface& surface, const 
 /// Throws Error, which names `where`, for a skin thicker than a whole body, and for more than kMostPieces pieces.
 std::vector<std::string> check_contact(const Model& model, const std::string& where);
 
-/// Penalty stiffness [N/m] of every point, [points]: s (lambda + 2 mu) A / l with l = 2 V / A of the vertices (l: the
-/// height of a cell), s = 10 times the factor of the scene. A is that of a vertex at every level, since a tool that is
-/// smaller than a cell, or has a sharp edge, presses with few points, each as stiff as the tissue below it.
+/// Penalty stiffness [N/m] of every point, [points]: s M A / l with the tissue's surface_modulus() M and l = 2 V / A of
+/// the vertices (l: the height of a cell), s = 10 times the factor of the scene. A is that of a vertex at every level,
+/// since a tool that is smaller than a cell, or has a sharp edge, presses with few points, each as stiff as the tissue
+/// below it.
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);
 
 /// [points] kept_share() in a stage of this length [s], of the penalties `stiffness` [points] and the masses of

@@ -187,7 +187,7 @@ class PairSearch {
   std::vector<std::uint32_t> vertices_;              // of the surface, ascending
   std::vector<std::uint32_t> body_of_;               // [vertex_count]
   std::vector<std::array<std::uint32_t, 3>> sides_;  // [triangle] its edges
-  // [vertex_count]; softness: l / (lambda + 2 mu) [m/Pa]; viscosity: over stiffness [s]
+  // [vertex_count]; softness: l / surface_modulus() [m/Pa]; viscosity: over stiffness [s]
   std::vector<double> areas_, softness_, viscosity_;
   struct BodyTree {
     BoxTree tree;

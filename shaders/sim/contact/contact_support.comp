@@ -48,9 +48,9 @@ void main() {
   if (i >= points) return;
 #endif
   uint body = contact_bodies[BODY_OF_POINT(i)];
-  float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * length(GRAVITY);
+  float weight = uintBitsToFloat(contact_bodies[MASS_OF_BODY(body)]) * UNIT_GRAVITY;
   vec3 force = vec3(0.0), friction = vec3(0.0), way = vec3(0.0), along = vec3(0.0), across = vec3(0.0);
-  float bound = 0.0;
+  float bound = 0.0, pressing = 0.0;
   uvec4 vertices = FETCH(contact_vertices, i);
   vec4 weights = FETCH(contact_weights, i);
   uint near = FETCH1(contact_near, i);  // not 0: the point is listed
@@ -76,9 +76,10 @@ void main() {
     across = lacking - along;
     friction += pose.axes * memory.xyz;
     bound += friction_of(piece) * memory.w;
+    pressing += memory.w;
   } while (near != 0u);
   if (weight <= 0.0) return;
-  float fall = STAGE_DURATION * STAGE_DURATION * length(GRAVITY), unit = WAY_UNIT * fall;
+  float fall = STAGE_DURATION * STAGE_DURATION * UNIT_GRAVITY, unit = WAY_UNIT * fall;
   weight *= SUPPORT_UNIT;
   ivec3 whole = units(force, weight);
   if (whole == ivec3(0)) return;
@@ -92,4 +93,5 @@ void main() {
   atomicAdd(contact_bodies[sums + 16u], uint(units(vec3(bound), weight).x));
   vec3 falls = (along + across) / fall;
   atomicAdd(contact_bodies[sums + 17u], uint(units(vec3(dot(falls, falls)), SQUARE_UNIT).x));
+  atomicAdd(contact_bodies[sums + 18u], uint(units(vec3(pressing), weight).x));
 }

@@ -49,6 +49,12 @@ std::vector<double> tissue_areas(const Model& model, const std::vector<Triangle>
   return areas;
 }
 
+double surface_modulus(const Material& material) {
+  Material at_most = material;
+  at_most.poisson_ratio = std::min(material.poisson_ratio, kLockingPoissonRatio);
+  return at_most.lame_lambda() + 2 * at_most.lame_mu();
+}
+
 std::vector<double> tissue_stiffness(const Model& model, const std::vector<double>& areas) {
   const std::size_t n = model.rest_positions.size();
   std::vector<double> volume(n, 0), stiffness(n, 0);
@@ -61,7 +67,7 @@ std::vector<double> tissue_stiffness(const Model& model, const std::vector<doubl
     const Material& material = model.materials[model.tet_material[t]];
     for (const std::uint32_t v : element) {
       volume[v] += share;
-      stiffness[v] += share * (material.lame_lambda() + 2 * material.lame_mu());
+      stiffness[v] += share * surface_modulus(material);
     }
   }
   for (std::size_t v = 0; v < n; ++v)
@@ -75,8 +81,7 @@ std::vector<double> tissue_viscosity(const Model& model) {
     const Tet& tet = model.tets[t];
     const auto& x = model.rest_positions;
     const Material& material = model.materials[model.tet_material[t]];
-    const double share =
-        signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) * (material.lame_lambda() + 2 * material.lame_mu());
+    const double share = signed_volume6(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) * surface_modulus(material);
     for (const std::uint32_t v : model.element(t)) {
       stiffness[v] += share;
       viscosity[v] += share * material.damping;

@@ -26,7 +26,10 @@ std::vector<TissueEdge> tissue_edges(const Model& model, const std::vector<Trian
 
 /// [vertex_count] a third of the triangles around each vertex [m^2]; 0 inside.
 std::vector<double> tissue_areas(const Model& model, const std::vector<Triangle>& triangles);
-/// [vertex_count] (lambda + 2 mu) / l [Pa/m] of the tissue below each vertex of the surface, with the height
+/// lambda + 2 mu [Pa], what a cell resists with that cannot give way to the sides, for a Poisson ratio of at most 0.45.
+/// Beyond it that grows to the bulk modulus, and what presses the surface hardly feels it: the cells around make room.
+double surface_modulus(const Material& material);
+/// [vertex_count] surface_modulus() / l [Pa/m] of the tissue below each vertex of the surface, with the height
 /// l = 2 V / A of a cell; 0 inside.
 std::vector<double> tissue_stiffness(const Model& model, const std::vector<double>& areas);
 /// [vertex_count] viscosity over stiffness [s] of the tissue at each vertex.

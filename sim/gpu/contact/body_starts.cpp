@@ -12,8 +12,10 @@ namespace {
 
 constexpr double kUnitsOfWeight = 1 << 18;  // 1 / SUPPORT_UNIT of shaders/sim/contact/support.glsl
 constexpr double kUnitsOfWay = 1 << 13;     // 1 / WAY_UNIT
-constexpr std::size_t kWords = 20;          // of a body there
-constexpr std::size_t kToolWords = 11;      // of them: what tools alone add
+// What forces and ways are counted in, of a model without gravity, too [m/s^2]: UNIT_GRAVITY
+constexpr double kLeastUnit = 9.81;
+constexpr std::size_t kWords = 21;      // of a body there
+constexpr std::size_t kToolWords = 12;  // of them: what tools alone add
 
 }  // namespace
 
@@ -56,8 +58,9 @@ void BodyStarts::begin(const Eigen::Vector3d& gravity, const PairStage& pairs) {
     values.push_back(
         std::bit_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(std::clamp(value, -kMost, kMost)))));
   };
+  const double unit = std::max(gravity.norm(), kLeastUnit), fall = pairs.duration() * pairs.duration() * unit;
   for (std::size_t body = 0; body < shares_.size(); ++body) {
-    const double weight = masses_[body] * gravity.norm(), fall = pairs.duration() * pairs.duration() * gravity.norm();
+    const double weight = masses_[body] * unit;
     for (const double force : supports[body].force) add(weight > 0 ? kUnitsOfWeight * force / weight : 0);
     for (const double way : supports[body].way) add(weight > 0 && fall > 0 ? kUnitsOfWay * way / fall : 0);
     values.push_back(weight > 0 ? supports[body].count : 0);

@@ -43,6 +43,19 @@ TEST_CASE("contact points of every level share the whole surface", "[contact]") 
   CHECK(with_edges - vertices == 3 * (vertices - 2));
 }
 
+// E (1 - nu) / ((1 + nu) (1 - 2 nu)), 1.346 E and 3.793 E.
+TEST_CASE("the penalty grows with Poisson's ratio to 0.45, and no further", "[contact]") {
+  const auto stiffness_at = [](double poisson_ratio) {
+    Model model = box_with(SphereShape{{0, 0, 0}, 1.0});
+    for (Material& material : model.materials) material.poisson_ratio = poisson_ratio;
+    return contact_stiffness(model, make_contact_surface(model)).at(0);
+  };
+  const double at_three_tenths = stiffness_at(0.3);
+  CHECK(stiffness_at(0.45) / at_three_tenths == Approx(3.793 / 1.346).epsilon(1e-3));
+  CHECK(stiffness_at(0.49) == stiffness_at(0.45));
+  CHECK(stiffness_at(0.499) == stiffness_at(0.45));
+}
+
 // Cells of 10 x 10 x 10 cm: diagonals of 17 cm. Points of level 2 are 4.3 cm apart.
 TEST_CASE("a tool with sharp edges that slides is told", "[contact]") {
   const auto notes = [](const ToolShape& shape, const std::vector<Vector3d>& way) {
