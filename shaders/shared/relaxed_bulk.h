@@ -1,4 +1,5 @@
-// The largest K of a quadratic tet, over mu, that the iterations of two_level see (sim/quadratic/quadratic_multiplier.comp).
+// The largest K of a quadratic tet, over mu, that the iterations of two_level see
+// (sim/quadratic/quadratic_multiplier.comp).
 #ifndef FASCIA_SHARED_RELAXED_BULK_H
 #define FASCIA_SHARED_RELAXED_BULK_H
 #define RELAXED_BULK 10.0f
