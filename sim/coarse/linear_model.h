@@ -5,7 +5,11 @@
 
 namespace fascia {
 
-/// The part of the model that determines coarse space and matrix, with linear tets over all of its vertices.
-Model linear_model(const Model& model);
+/// The part of the model that determines coarse space and matrix, with linear tets over all of its vertices. `relaxed`:
+/// those of quadratic tets have K as the iterations see it (shaders/sim/quadratic/quadratic_multiplier.comp).
+Model linear_model(const Model& model, bool relaxed = false);
+
+/// Whether there are quadratic tets whose K would be relaxed.
+bool has_large_bulk(const Model& model);
 
 }  // namespace fascia

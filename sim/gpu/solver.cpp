@@ -119,6 +119,7 @@ void GpuSolver::state_changed() {
   restart_rounds();
   if (tangles_) tangles_->restart();
   if (method_) method_->forget_contact();
+  buffers_.forget_multipliers();
   contact_.forget_forces();
 }
 
@@ -209,7 +210,7 @@ void GpuSolver::materials_changed() {
   contact_.materials_changed(given_, buffers_);
   bodies_.materials_changed();
   settings_changed();
-  if (const Features features = features_of(model_); features != features_) {
+  if (const Features features = features_of(model_); features != features_ || may_relax() != relaxes_) {
     features_ = features;
     record();
   }

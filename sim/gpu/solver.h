@@ -174,15 +174,16 @@ class GpuSolver {
     // Of one substep. `relist`: for pairs that the same stage did not have before; `again`: for iterations of the same
     // stage from displacements that have changed otherwise, or from where the last ones ended; `completion`:
     // after an iteration whose state something looks at; `check`: after the last one, where tissue may touch tissue
-    Passes begin, relist, again, before_first, before, refresh, first_iteration, iteration, completion, check, end;
-    std::array<const Passes*, 8> lists() const {
-      return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &check, &end};
+    Passes begin, relist, again, before_first, before, refresh, first_iteration, iteration, completion, check, end,
+        renew;
+    std::array<const Passes*, 9> lists() const {
+      return {&begin, &before_first, &before, &refresh, &first_iteration, &iteration, &check, &end, &renew};
     }
     bool recorded() const { return !begin.empty(); }
   };
   // The same in few dispatches, where passes can be fused. `first`: the first iteration with the passes before it.
   struct FusedStep {
-    gl::FusedPasses begin, relist, again, first, refresh, iteration, check, end;
+    gl::FusedPasses begin, relist, again, first, refresh, iteration, check, end, renew;
   };
   // A kind of steps, recorded when it is first needed.
   struct StepKind {
@@ -201,7 +202,9 @@ class GpuSolver {
   Start start();
   Recording recording(const ActiveSet* active, bool contact);
   StepPasses record_step(const ActiveSet* active, bool contact);
+  bool may_relax() const;
   int refreshes() const;  // per substep
+  bool renews(int iteration) const { return relaxes_ && StepMethod::renews_before(iteration, settings_.iterations); }
   Passes iteration(const Recording& recording, bool first);
   void choose_passes();
   void unfold();  // before a step (sim/gpu/unfolding.h)
@@ -253,6 +256,7 @@ class GpuSolver {
   StepKind* kind_ = &whole_;
   gl::Downloads downloads_;  // for takes of contact
   bool always_whole_ = false;
+  bool relaxes_ = false;  // a large K of quadratic tets, as recorded
   bool fuses_ = false;
   int before_every_ = 1;          // iterations from one run of `before` to the next
   TimedPasses* timed_ = nullptr;  // during a timed step

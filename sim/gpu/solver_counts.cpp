@@ -49,14 +49,18 @@ std::uint64_t GpuSolver::dispatches_per_step() const {
     if (!whole_kind().passes.check.empty()) count += fused.check.dispatches(1);
     count += refreshes() * fused.refresh.dispatches(1);
     for (int i = 1; i < settings_.iterations; i = alike_from(i))
-      count += fused.iteration.dispatches(static_cast<std::uint32_t>(alike_from(i) - i));
+      count += renews(i) ? fused.renew.dispatches(1)
+                         : fused.iteration.dispatches(static_cast<std::uint32_t>(alike_from(i) - i));
     return settings_.stages_per_step() * count;
   }
-  const std::uint64_t others = (settings_.iterations - 1) / before_every_;  // runs of before_ after the first
+  std::uint64_t renewed = 0;
+  for (int i = 0; i < settings_.iterations; ++i) renewed += renews(i);
+  const std::uint64_t others = (settings_.iterations - 1) / before_every_ - renewed;  // runs of before_ after the first
   const StepPasses& passes = whole_kind().passes;
-  const std::uint64_t iterations =
-      passes.before_first.size() + others * passes.before.size() + passes.first_iteration.size() +
-      (settings_.iterations - 1) * passes.iteration.size() + refreshes() * passes.refresh.size();
+  const std::uint64_t iterations = passes.before_first.size() + others * passes.before.size() +
+                                   passes.first_iteration.size() +
+                                   (settings_.iterations - 1 - renewed) * passes.iteration.size() +
+                                   renewed * passes.renew.size() + refreshes() * passes.refresh.size();
   return settings_.stages_per_step() * (passes.begin.size() + iterations + passes.check.size() + passes.end.size());
 }
 

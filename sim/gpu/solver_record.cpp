@@ -1,6 +1,7 @@
 // Records the passes of the solver's steps: with all tets or a part of them, with contact or without.
 #include <algorithm>
 
+#include "sim/coarse/linear_model.h"
 #include "sim/gpu/solver.h"
 
 namespace fascia {
@@ -25,6 +26,9 @@ void GpuSolver::record() {
       features_.models.contains(MaterialModel::signed_st_venant_kirchhoff) && most_deferred.items > 0 && !branches_skip;
   if (!may_defer) deferred_.reset();
   if (may_defer && (!deferred_ || deferred_->most != most_deferred)) deferred_.emplace(most_deferred);
+  relaxes_ = may_relax();
+  method_->relax(model_, relaxes_);
+  if (!relaxes_) buffers_.forget_multipliers();
   method_->prepare(recording(nullptr, true));
   buffers_.correction.clear();  // kernels may leave its w unchanged
   before_every_ = 1;
@@ -45,6 +49,9 @@ void GpuSolver::record() {
   published_ = false;
 }
 
+// The residual of a stop rule is that of the present multipliers.
+bool GpuSolver::may_relax() const { return !stop_ && !buffers_.displacement_low && has_large_bulk(model_); }
+
 void GpuSolver::record(StepKind& kind) {
   const bool partial = &kind == &partial_ || &kind == &partial_apart_;
   kind.passes = record_step(partial ? &regions_->active() : nullptr, &kind == &whole_ || &kind == &partial_);
@@ -61,7 +68,8 @@ std::optional<GpuSolver::FusedStep> GpuSolver::fuse(const StepPasses& passes) {
   return FusedStep{joined({&passes.begin}),   joined({&passes.relist}),
                    joined({&passes.again}),   joined({&passes.before_first, &passes.first_iteration}),
                    joined({&passes.refresh}), joined({&passes.before, &passes.iteration}),
-                   joined({&passes.check}),   joined({&passes.end})};
+                   joined({&passes.check}),   joined({&passes.end}),
+                   joined({&passes.renew})};
 }
 
 Start GpuSolver::start() {
@@ -108,6 +116,7 @@ GpuSolver::StepPasses GpuSolver::record_step(const ActiveSet* active, bool conta
   if (acceleration_) append(passes.begin, acceleration_->begin(r));
   passes.first_iteration = iteration(r, true);
   passes.iteration = iteration(r, false);
+  passes.renew = method_->renew(r);
   passes.completion = method_->complete_iteration(r);
   const bool moves_bodies = method_->descends() && !active && bodies_.may_move() && !buffers_.displacement_low;
   const bool looks = contact_.searches() || moves_bodies;

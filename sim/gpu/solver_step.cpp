@@ -92,10 +92,15 @@ void GpuSolver::iterate(int iteration, int count) {
   const bool refreshes = StepMethod::refreshes_before(iteration, settings_.iterations);
   if (const FusedStep* fused = fused_step()) {
     if (refreshes) fused->refresh.run();
+    if (renews(iteration)) return fused->renew.run();
     if (iteration == 0) return fused->first.run();
     return fused->iteration.run(static_cast<std::uint32_t>(count));
   }
   // With the stiffness of contact that the last forces had, as above; a stop rule looks at the gradient first.
+  if (renews(iteration)) {
+    if (refreshes) run(kind_->passes.refresh);
+    return run(kind_->passes.renew);
+  }
   const bool refreshes_first = touches() && !stop_;
   if (refreshes && refreshes_first) run(kind_->passes.refresh);
   if (iteration % before_every_ == 0) run(iteration == 0 ? kind_->passes.before_first : kind_->passes.before);
@@ -107,8 +112,8 @@ void GpuSolver::end_stage() { run(kind_->passes.end, &FusedStep::end); }
 
 int GpuSolver::alike_from(int iteration) const {
   int end = iteration + 1;
-  while (iteration > 0 && end < settings_.iterations && !StepMethod::refreshes_before(end, settings_.iterations) &&
-         !takes_contact(end))
+  while (iteration > 0 && !renews(iteration) && !renews(end) && end < settings_.iterations &&
+         !StepMethod::refreshes_before(end, settings_.iterations) && !takes_contact(end))
     ++end;
   return end;
 }

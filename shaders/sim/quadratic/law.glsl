@@ -11,6 +11,17 @@ struct VolumeSplit {
   float bulk;      // K [Pa]
 };
 
+// RELAXED: what the iterations see of a large K (sim/quadratic/quadratic_multiplier.comp).
+#ifdef RELAXED
+INPUT_FLOAT(Multiplier, multiplier)  // [quadratic_count] q [Pa], or UNKNOWN_MULTIPLIER
+#endif
+#include "shared/relaxed_bulk.h"
+
+// The pressure bulk * mean theta + multiplier, and its energy.
+struct VolumeTerm {
+  float bulk, multiplier;
+};
+
 float pointwise_lambda(vec4 material) {
 #if BEYOND_STRAIN
   if (IS_BEYOND_STRAIN(material)) return LAW_POINTWISE_LAMBDA(material);
@@ -23,6 +34,14 @@ VolumeSplit volume_split(vec4 material) {
   float nu = lambda / (2.0 * (lambda + mu));
   if (bulk <= 0.0) return VolumeSplit(material, 0.0);
   return VolumeSplit(vec4(2.0 * mu * (1.0 + nu), nu, material.zw), bulk);
+}
+
+VolumeTerm volume_term_of(uint e, float bulk, vec4 material) {
+#ifdef RELAXED
+  float q = FETCH1(multiplier, e), relaxed = RELAXED_BULK * lame_mu(material);
+  if (bulk > relaxed && q < UNKNOWN_MULTIPLIER) return VolumeTerm(relaxed, q);
+#endif
+  return VolumeTerm(bulk, 0.0);
 }
 
 #if SIGNED_ST_VENANT_KIRCHHOFF
@@ -105,6 +124,7 @@ Sym3 viscous_stress_at_point(Viscosity viscosity, Sym3 change, vec4 material) {
 // What the response at a point needs of all points.
 struct QuadraticLaw {
   VolumeSplit split;
+  VolumeTerm volume;
   float mean;  // theta
 #if DAMPING
   Viscosity viscosity;
@@ -114,6 +134,7 @@ struct QuadraticLaw {
 QuadraticLaw law_of(uint e, PointGradients h, vec4 material) {
   QuadraticLaw law;
   law.split = volume_split(material);
+  law.volume = volume_term_of(e, law.split.bulk, material);
   law.mean = mean_dilatation(h, material);
 #if DAMPING
   law.viscosity = viscosity_of(e, h, material);
@@ -121,20 +142,22 @@ QuadraticLaw law_of(uint e, PointGradients h, vec4 material) {
   return law;
 }
 
+float pressure_of(QuadraticLaw law) { return law.volume.bulk * law.mean + law.volume.multiplier; }
+
 // Stress at a point, without viscosity, and the energy density without that of the mean.
 Elastic elastic_at(QuadraticLaw law, mat3 h, vec4 material) {
 #if BEYOND_STRAIN
   if (IS_BEYOND_STRAIN(material)) {
     Elastic point = LAW_RESPONSE(h, law.split.pointwise);
-    return Elastic(point.p + law.split.bulk * law.mean * dilatation_of(h, material).first, point.energy);
+    return Elastic(point.p + pressure_of(law) * dilatation_of(h, material).first, point.energy);
   }
 #endif
   Deformation d = deformation_of(h, material);  // of the dilatation as of the rest
   Elastic point = strain_response(d, law.split.pointwise);
-  return Elastic(point.p + law.split.bulk * law.mean * d.f, point.energy);
+  return Elastic(point.p + pressure_of(law) * d.f, point.energy);
 }
 
-float energy_of_mean(QuadraticLaw law) { return 0.5 * law.split.bulk * law.mean * law.mean; }
+float energy_of_mean(QuadraticLaw law) { return (0.5 * law.volume.bulk * law.mean + law.volume.multiplier) * law.mean; }
 
 // Over the gradients at the points it writes the stresses there, with viscosity. Returns the mean energy density.
 float respond(uint e, inout PointGradients h, vec4 material) {

@@ -143,7 +143,8 @@ vec3 terms_of(uint e, out bool guard) {
   for (int q = 0; q < 4; ++q) add_means(e, q, tet, held.h, material, means);
   guard = means.guard;
   VolumeSplit split = volume_split(material);
-  float pressure = split.bulk * (0.25 * means.dilatation);
+  VolumeTerm volume = volume_term_of(e, split.bulk, material);
+  float pressure = volume.bulk * (0.25 * means.dilatation) + volume.multiplier;
   Terms terms;
   terms.sum = vec3(0.0);
   terms.growth = vec2(0.0);
@@ -153,7 +154,7 @@ vec3 terms_of(uint e, out bool guard) {
 #endif
   for (int q = 0; q < 4; ++q) add_terms(e, q, tet, held, material, split.pointwise, pressure, terms);
   vec2 growth = terms.growth;
-  vec3 sum = 0.25 * terms.sum + split.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
+  vec3 sum = 0.25 * terms.sum + volume.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);
 #if DAMPING
   growth = terms.viscous_growth;
   sum += terms.viscosity.bulk * vec3(growth.x * growth.x, growth.x * growth.y, growth.y * growth.y);

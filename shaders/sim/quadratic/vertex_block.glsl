@@ -39,12 +39,13 @@ Sym3 quadratic_block(uint v) {
     vec4 material = material_of(t);
     VolumeSplit split = volume_split(material);
     Dilatation dilatation = dilatation_of(at.h, material);
+    VolumeTerm volume = volume_term_of(e, split.bulk, material);
     at.material = split.pointwise;
     at.tangent = elastic_tangent_of(at.h, split.pointwise);
 #if BEYOND_STRAIN
     if (!IS_BEYOND_STRAIN(material))
 #endif
-      at.tangent.s.d += split.bulk * dilatation.value;
+      at.tangent.s.d += volume.bulk * dilatation.value + volume.multiplier;
     at.guard = 0.0;
 #if SIGNED_ST_VENANT_KIRCHHOFF
     if (needs_guard(at.h, material)) at.guard = LEAST_STRETCH * LEAST_STRETCH * (lame_lambda(material) + 2.0 * lame_mu(material));
@@ -70,8 +71,8 @@ Sym3 quadratic_block(uint v) {
       vec3 s = g[ends.x] + g[ends.y], d = g[ends.x] - g[ends.y], w = dilatation.first * s;
       add_block(block, at, 1.2, s);
       add_block(block, at, 0.4, d);
-      block.d += split.bulk * w * w;
-      block.s += split.bulk * w.yxx * w.zzy;
+      block.d += volume.bulk * w * w;
+      block.s += volume.bulk * w.yxx * w.zzy;
 #if DAMPING
       Sym3 more = strain_block(viscous, viscous_material, s), other = strain_block(viscous, viscous_material, d);
       block = Sym3(block.d + 1.2 * more.d + 0.4 * other.d, block.s + 1.2 * more.s + 0.4 * other.s);

@@ -40,8 +40,10 @@ PackedRows pack_rows(const std::vector<std::uint32_t>& begin, const std::vector<
 }  // namespace
 
 CoarseLevel::CoarseLevel(const gl::ProgramCache& programs, const Model& model, const SolverSettings& settings)
-    : materials_(model.materials), h_(settings.stage_length()) {
-  Model linear = linear_model(model);
+    : relaxed_(settings.tolerance == 0 && has_large_bulk(model)),
+      materials_(model.materials),
+      h_(settings.stage_length()) {
+  Model linear = linear_model(model, relaxed_);
   space_ = make_coarse_space(linear, coarse_node_target(linear.tets.size()));
   if (empty()) return;
   const CoarseGather gather = make_coarse_gather(linear, space_);
@@ -210,7 +212,17 @@ void CoarseLevel::values_changed(const Model& model, const SolverSettings& setti
   if (empty() || (model.materials == materials_ && settings.stage_length() == h_)) return;
   materials_ = model.materials;
   h_ = settings.stage_length();
-  Job job{linear_model(model), settings.stage_length()};
+  request(model);
+}
+
+void CoarseLevel::relax(const Model& model, bool relaxed) {
+  if (empty() || relaxed == relaxed_) return;
+  relaxed_ = relaxed;
+  request(model);
+}
+
+void CoarseLevel::request(const Model& model) {
+  Job job{linear_model(model, relaxed_), h_};
   if (inverse_.valid())
     next_ = std::move(job);
   else

@@ -33,6 +33,8 @@ class CoarseLevel {
   /// Starts to compute the inverse if materials or h have changed; discards a request that still waits with older
   /// values.
   void values_changed(const Model& model, const SolverSettings& settings);
+  /// Whether K of quadratic tets is relaxed; computes the inverse if that has changed.
+  void relax(const Model& model, bool relaxed);
   /// The rotations of the nodes, before each set_contact().
   void read_for_contact(gl::Downloads& downloads);
   /// Sets the stiffness of contact, unless the last one serves again.
@@ -53,12 +55,14 @@ class CoarseLevel {
   };
   static Eigen::MatrixXf compute(const CoarseSpace& space, const Job& job);
   void start(Job job);
+  void request(const Model& model);
   void take_next();
   void upload();
   void upload_contact();
   gl::ComputePass restriction(const Recording& recording, const gl::Buffer& gradient) const;
 
   CoarseSpace space_;
+  bool relaxed_;
   std::uint32_t lanes_ = 1;         // invocations that share a node (shaders/common/group_sum.glsl)
   std::uint32_t row_octets_ = 0;    // uvec4 per row of the inverse, eight 16-bit integers each
   std::uint32_t most_entries_ = 0;  // largest number of entries of a node in either list of coarse_restrict

@@ -51,6 +51,14 @@ class StepMethod {
     constexpr int kInterval = 8, kLeastLeft = 4;
     return iteration == 0 || (iteration % kInterval == 0 && iterations - iteration >= kLeastLeft);
   }
+  /// Whether a large K of quadratic tets is relaxed in what is recorded from now on.
+  virtual void relax(const Model&, bool) {}
+  /// Instead of an iteration and what is before it, where renews_before(): with new multipliers of a relaxed K.
+  virtual Passes renew(const Recording&) const { return {}; }
+  static bool renews_before(int iteration, int iterations) {
+    constexpr int kInterval = 4, kLeastLeft = 2;
+    return iteration > 0 && iteration % kInterval == 0 && iterations - iteration >= kLeastLeft;
+  }
   /// One iteration, external energies included. The first one of a substep has no history.
   virtual Passes iteration(const Recording& recording, bool first) const = 0;
   virtual Passes end(const Recording&) const {

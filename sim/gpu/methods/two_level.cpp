@@ -82,6 +82,7 @@ Passes TwoLevelMethod::begin(const Recording& r) const {
                                     {"last_step", &last_step_},
                                     {"iterate", &r.buffers.displacement},
                                     {"displacement", &r.buffers.displacement}}));
+  if (relaxes_) passes.push_back(multipliers(r, false));
   append(passes, r.advances(last_step_));
   append(passes, gradient_.passes(r));
   passes.push_back(objective_sum(r, false));
@@ -111,6 +112,7 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
     bindings.insert(bindings.end(), {{"mid_edges", &r.buffers.mid_edges},
                                      {"quadratic_begin", &r.buffers.quadratic_begin},
                                      {"vertex_quadratic", &vertex_quadratic_},
+                                     {"multiplier", &r.buffers.multiplier},
                                      {"predicted_centroid", &r.buffers.predicted_centroid}});
   bindings = with_damping(with_material(std::move(bindings), r.features, r.buffers), r.features, r.previous_strain);
   gl::Defines defines =
@@ -118,7 +120,10 @@ Passes TwoLevelMethod::refresh(const Recording& r) const {
   defines.emplace_back("FREE", contact ? "1" : "0");
   defines.emplace_back("LINEAR_TETS", vertex_tets_ ? "1" : "0");
   defines.emplace_back("QUADRATIC_TETS", vertex_quadratic_ ? "1" : "0");
-  if (vertex_quadratic_) defines = defines_of_quadratic(std::move(defines), r.buffers);
+  if (vertex_quadratic_) {
+    defines = defines_of_quadratic(std::move(defines), r.buffers);
+    defines.emplace_back("RELAXED", "1");
+  }
   Passes passes;
   passes.push_back(
       r.over_vertices("sim/two_level/block_inverse.comp", std::move(defines), std::move(bindings),
@@ -194,6 +199,29 @@ Passes TwoLevelMethod::end(const Recording& r) const {
   return passes;
 }
 
+Passes TwoLevelMethod::renew(const Recording& r) const {
+  if (!relaxes_) return {};
+  Passes passes = end(r);
+  passes.push_back(multipliers(r, true));
+  const VertexBlocks blocks{block_free_, block_inverse_};
+  append(passes, gradient_.passes(r, std::nullopt, false, r.evaluates_blocks() ? &blocks : nullptr));
+  append(passes, iteration(r, true));
+  return passes;
+}
+
+gl::ComputePass TwoLevelMethod::multipliers(const Recording& r, bool renews) const {
+  gl::ComputePass::Bindings bindings{{"step", &r.buffers.step},
+                                     {"displacement", &r.buffers.displacement},
+                                     {"updated_multiplier", &r.buffers.multiplier}};
+  if (renews) bindings.emplace_back("subspace_state", &state_);
+  gl::Defines defines = defines_of(r.features);
+  for (auto& [name, value] : defines)
+    if (name == "DAMPING") value = "0";
+  defines.emplace_back("RENEWS", renews ? "1" : "0");
+  return r.over_quadratic("sim/quadratic/quadratic_multiplier.comp", std::move(defines),
+                          with_quadratic(with_material(std::move(bindings), r.features, r.buffers), r.buffers));
+}
+
 Passes TwoLevelMethod::complete_iteration(const Recording& r) const {
   if (!gradient_moves(r)) return {};
   Passes passes{update(r, false)};
@@ -250,7 +278,11 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
   };
   const gl::Buffer& guarded = quadratic ? guarded_quadratic_ : guarded_curvature_;
   bindings = quadratic ? with_quadratic(std::move(bindings), r.buffers) : with_pairs(std::move(bindings), r.buffers);
-  if (quadratic) bindings.emplace_back("predicted_centroid", &r.buffers.predicted_centroid);
+  if (quadratic) {
+    bindings.emplace_back("predicted_centroid", &r.buffers.predicted_centroid);
+    bindings.emplace_back("multiplier", &r.buffers.multiplier);
+    defines.emplace_back("RELAXED", "1");
+  }
   gl::ComputePass::Bindings sums = bindings;
   gl::Defines sum_defines = defines;
   if (solve.empty()) {

@@ -37,6 +37,11 @@ class TwoLevelMethod : public StepMethod {
             buffers.pair_and_single_count() + buffers.quadratic_count};
   }
   Passes iteration(const Recording& recording, bool first) const override;
+  void relax(const Model& model, bool relaxes) override {
+    relaxes_ = relaxes;
+    coarse_.relax(model, relaxes);
+  }
+  Passes renew(const Recording& recording) const override;
   Passes end(const Recording& recording) const override;
   Passes complete_iteration(const Recording& recording) const override;
   void values_changed(const Model& model, const SolverSettings& settings) override {
@@ -59,6 +64,7 @@ class TwoLevelMethod : public StepMethod {
   static bool gradient_moves(const Recording& recording);
   std::optional<PendingStep> pending(const Recording& recording) const;
   gl::ComputePass update(const Recording& recording, bool last) const;
+  gl::ComputePass multipliers(const Recording& recording, bool renews) const;
   Passes blocks_in_contact(const Recording& recording, bool first) const;
   gl::ComputePass objective_sum(const Recording& recording, bool final) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
@@ -68,6 +74,7 @@ class TwoLevelMethod : public StepMethod {
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
   std::uint32_t term_partials(const Recording& recording) const;  // of the curvatures of external energies
 
+  bool relaxes_ = false;  // a large K of quadratic tets (sim/quadratic/quadratic_multiplier.comp)
   bool remembers_ = false,
        splits_ = false;  // with p, except in the first iteration; with two directions besides p
   StepGradient gradient_;

@@ -216,6 +216,7 @@ void SimBuffers::set_tet_order(const Model& model, const TetPairing& pairing) {
   if (has_quadratic()) {
     if (!own_mass) own_mass = gl::Buffer("own_mass", vertex_count * sizeof(float));
     predicted_centroid = gl::Buffer("predicted_centroid", quadratic_count * sizeof(vec4));
+    multiplier = gl::Buffer("multiplier", std::vector<float>(quadratic_count, UNKNOWN_MULTIPLIER));
     upload_moving_masses(model);
   }
   tets = std::move(ordered);
@@ -264,6 +265,12 @@ void SimBuffers::upload_state(const Model& model, const State& state) {
     for (std::size_t i = 0; i < vertex_count; ++i) values[i] = to_vec4((*vectors)[placement.vertex[i]], 0);
     buffer->upload(0, values.size() * sizeof(vec4), values.data());
   }
+}
+
+void SimBuffers::forget_multipliers() {
+  if (!has_quadratic()) return;
+  const std::vector<float> unknown(quadratic_count, UNKNOWN_MULTIPLIER);
+  multiplier.upload(0, multiplier.bytes(), unknown.data());
 }
 
 void SimBuffers::keep_earlier(bool kept) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
+#include "shaders/shared/relaxed_bulk.h"
 #include "shaders/shared/types.h"
 #include "sim/model/model.h"
 #include "sim/model/state.h"
@@ -69,8 +70,9 @@ struct SimBuffers {
   gl::Buffer mid_edges;        // uvec4 [2 * quadratic_count]
   gl::Buffer quadratic_slots;  // uvec4 [3 * quadratic_count] slots of all ten vertices
   gl::Buffer
-      quadratic_begin;  // uint [vertex_count + 1] differences are the numbers of quadratic tets around each vertex
-  gl::Buffer own_mass;  // float [vertex_count] [kg] MovingMasses::own; own_masses()
+      quadratic_begin;    // uint [vertex_count + 1] differences are the numbers of quadratic tets around each vertex
+  gl::Buffer own_mass;    // float [vertex_count] [kg] MovingMasses::own; own_masses()
+  gl::Buffer multiplier;  // float [quadratic_count] of relaxed K [Pa] (sim/quadratic/quadratic_multiplier.comp)
   gl::Buffer predicted_centroid;  // vec4 [quadratic_count] of what moves at centroids: u~ [m], w mass [kg]
 
   // The same on the CPU: data read back from a device that fails must never be an index or a size.
@@ -110,6 +112,8 @@ struct SimBuffers {
   /// Reserves `count` copies of vertices behind the displacements, which are preserved.
   void set_phantom_count(std::uint32_t count);
 
+  /// The multipliers are unknown: K is not relaxed until they are updated.
+  void forget_multipliers();
   /// Creates or frees earlier_displacement and earlier_velocity, for integrators that extrapolate.
   void keep_earlier(bool kept);
   /// u [m] at the start of the stage, during the stage.

@@ -62,6 +62,8 @@ Passes StepGradient::passes(const Recording& r, const std::optional<PendingStep>
            r.over_pairs_deferring("sim/elasticity/elastic_force.comp", tet_defines, with_slots(tet, r.buffers)));
   if (r.buffers.has_quadratic()) {
     tet.emplace_back("predicted_centroid", &r.buffers.predicted_centroid);
+    tet.emplace_back("multiplier", &r.buffers.multiplier);
+    tet_defines.emplace_back("RELAXED", "1");
     if (r.has_blocks()) tet.emplace_back("start_displacement", &r.buffers.start_of_stage());
     tet_defines.emplace_back("FROM_START", r.has_blocks() ? "1" : "0");
     append(passes, r.over_quadratic_deferring("sim/quadratic/quadratic_force.comp", tet_defines,
