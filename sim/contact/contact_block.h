@@ -21,6 +21,13 @@ double sliding_penalty(double stiffness, double bound, double full_slip);
 /// `damping` [N s/m] of what the mass is on ties more of it to the point.
 double stage_stiffness(double stiffness, double mass, double damping, double length);
 
+/// The normal force that the next stage starts with [N]: where a point presses, the mean of that of this stage, by its
+/// `share` of the forces in the substep, and of what it started with. Friction of each stage goes by what another one
+/// left: by that alone it would be off where the forces of stages differ.
+inline double kept_force(double pressing, double before, double share) {
+  return pressing > 0 ? share * pressing + (1 - share) * before : 0;
+}
+
 struct ContactBlock {
   std::uint32_t row_vertex, column_vertex;
   Eigen::Matrix3d hessian;  // [N/m]

@@ -149,16 +149,16 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
   return blocks;
 }
 
-ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
+ContactMemory ContactEnergy::memory_after(const VectorXd& u, double share) const {
   ContactMemory memory(slots_);
-  pairs_.remember(u, memory);
+  pairs_.remember(u, share, memory);
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
     ContactForce& force = memory[memory_row(row)];
-    force.normal = contact.pressing;
+    force.normal = kept_force(contact.pressing, row.before, share);
     if (row.before > 0)
-      force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
+      force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * force.normal);
   }
   return memory;
 }

@@ -54,7 +54,7 @@ class ContactEnergy {
   const PairEnergy& pairs() const { return pairs_; }
 
   /// As long as the memory at the start, or as the rows of tools if that had none.
-  ContactMemory memory_after(const Eigen::VectorXd& u) const;
+  ContactMemory memory_after(const Eigen::VectorXd& u, double share = 1) const;
   std::vector<ToolLoad> loads(const Eigen::VectorXd& u) const;  // [tool]
   /// Of the vertices' `bodies` at `u`, with tools and with each other.
   std::vector<BodyContact> of_bodies(const std::vector<std::uint32_t>& bodies, const Eigen::VectorXd& u) const;

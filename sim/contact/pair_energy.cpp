@@ -93,13 +93,12 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
   return blocks;
 }
 
-void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
+void PairEnergy::remember(const VectorXd& u, double share, ContactMemory& memory) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Contact contact = contact_of(i, u);
     ContactForce& force = memory[first_row_ + force_row(rows_[i].slot)];
-    force.normal = contact.pressing;
-    force.friction =
-        before_[i].normal > 0 ? within(contact.tangential, friction_ * contact.pressing) : Vector3d(0, 0, 0);
+    force.normal = kept_force(contact.pressing, before_[i].normal, share);
+    force.friction = before_[i].normal > 0 ? within(contact.tangential, friction_ * force.normal) : Vector3d(0, 0, 0);
     met_in(memory[first_row_ + met_row(rows_[i].slot)], rows_[i].slot) = rows_[i].met;
   }
 }

@@ -246,7 +246,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   state.time += stage.duration;
   if (potential.contact) {
     read_out(potential.contact, u);
-    state.contact = potential.contact->memory_after(u);
+    state.contact = potential.contact->memory_after(u, stage.share);
   }
   return report;
 }
