@@ -10,3 +10,4 @@ layout(std140) uniform Step { StepValues step_values; };
 #define FARTHEST step_values.guard.x
 #define STAGE_DURATION step_values.guard.y
 #define EXTRAPOLATION step_values.guard.z
+#define STAGE_SHARE step_values.guard.w

@@ -16,7 +16,7 @@ struct StepValues {
   vec4 material;  // for a scene with one material: x Young's modulus E [Pa], y Poisson's ratio [-], z damping [s], w
                   // model, with the fractions of sim/elasticity/feature_material.glsl
   vec4 guard;  // x distance from its prediction at which a vertex counts as diverged [m]; y duration of the stage [s],
-               // z its extrapolation p [-]
+               // z its extrapolation p [-], w the share of its forces in the substep
 };
 
 // Partial sums of one invocation of the diagnostic kernels; the CPU adds them in double precision.

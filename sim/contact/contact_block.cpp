@@ -12,12 +12,11 @@ double sliding_penalty(double stiffness, double bound, double full_slip) {
   return std::max(kStickingPenalty * stiffness, bound / full_slip);
 }
 
-double kept_share(double stiffness, double mass, double damping, double length) {
-  constexpr double kNone = 1.5, kAll = 3;  // [rad] of the oscillation
-  // Of k l^2, the mass and what a chain of such masses and dampers holds back within the stage.
-  const double own = mass / (stiffness * length * length), tied = damping / (stiffness * length);
-  const double held_back = 0.5 * own + std::sqrt(0.25 * own * own + own * tied);
-  return std::clamp((1 / std::sqrt(held_back) - kNone) / (kAll - kNone), 0.0, 1.0);
+double stage_stiffness(double stiffness, double mass, double damping, double length) {
+  constexpr double kInertia = 9;  // of what is held back: 3 rad of the oscillation
+  // Of the mass, and of what a chain of such masses and dampers holds back within the stage [N/m].
+  const double own = mass / (length * length), tied = damping / length;
+  return std::max(stiffness, kInertia * (0.5 * own + std::sqrt(0.25 * own * own + own * tied)));
 }
 
 Vector3d within(const Vector3d& q, double bound) {

@@ -15,11 +15,22 @@ inline constexpr double kFullSlip = 0.1;
 /// The penalty on sliding c [N/m] of a point on a tool: of the penalty on depth `stiffness` [N/m], the bound of
 /// friction `bound` [N] and the slip `full_slip` [m].
 double sliding_penalty(double stiffness, double bound, double full_slip);
-/// lambda as a share of the force that the stage before left, where k [N/m] and a mass [kg] meet in a stage of `length`
-/// [s]: all of it where the stage is long beside their oscillation, so that what presses is out of the tool a step
-/// later. A shorter stage follows that oscillation, and a force that grows while the point is still inside adds energy
-/// to it. `damping` [N s/m] of what the mass is on ties more of it to the point.
-double kept_share(double stiffness, double mass, double damping, double length);
+/// The penalty on depth [N/m] in a stage of `length` [s], of one `stiffness` [N/m] for long stages and the `mass` [kg]
+/// at the point: what presses must be out of the tool a stage later. A stage that is short beside the oscillation of
+/// the two would follow it, and the multiplier, which grows while the point is still inside, add energy to it.
+/// `damping` [N s/m] of what the mass is on ties more of it to the point.
+double stage_stiffness(double stiffness, double mass, double damping, double length);
+
+/// The normal force that the next stage starts with [N]: the mean of what the `pressing` of this stage was, by its
+/// `share` of the forces in the substep, and of what it started with. Friction of each stage goes by what another one
+/// left: by that alone its impulse would be off where the forces of stages differ, or a stage presses with none. So the
+/// sum of what friction went by in the substeps, and of what is kept, is that of what pressed. Less than the penalty on
+/// depth, `stiffness` [N/m], has after a way that rounding hides is none.
+inline double kept_force(double pressing, double before, double share, double stiffness) {
+  constexpr double kHidden = 1e-12;  // [m]
+  const double kept = share * pressing + (1 - share) * before;
+  return kept > kHidden * stiffness ? kept : 0;
+}
 
 struct ContactBlock {
   std::uint32_t row_vertex, column_vertex;

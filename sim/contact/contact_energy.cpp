@@ -14,8 +14,7 @@ using Eigen::VectorXd;
 
 ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                              const ContactMemory& memory, const VectorXd& start, const ToolMotion& motion,
-                             std::vector<PairRow> pairs, const std::vector<Vector3d>& aim,
-                             const std::vector<double>& kept)
+                             std::vector<PairRow> pairs, const std::vector<Vector3d>& aim)
     : model_(model),
       surface_(surface),
       pairs_(model, std::move(pairs), memory, surface.row_count),
@@ -37,9 +36,8 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       row.stiffness = stiffness[piece.first_row + p];
       row.anchor = after.to_scene(local);
       row.normal = after.axes * distance_to(tool.shape, local).normal.normalized();
-      row.bearing = remembers ? memory[piece.first_row + p].normal : 0;
-      row.pressing = kept.empty() ? row.bearing : kept[p] * row.bearing;
-      row.sliding = sliding_penalty(row.stiffness, tool.friction * row.bearing, surface.full_slip);
+      row.before = remembers ? memory[piece.first_row + p].normal : 0;
+      row.sliding = sliding_penalty(row.stiffness, tool.friction * row.before, surface.full_slip);
       row.friction.setZero();
       if (!aim.empty())
         if (const auto entry = entry_into(
@@ -84,7 +82,7 @@ ContactEnergy::Contact ContactEnergy::contact_of(const Row& row, const VectorXd&
   contact.normal = distance.normal;
   contact.curvature = distance.curvature;
   contact.depth = 0.5 * model_.contact.thickness - distance.distance;
-  contact.pressing = std::max(0.0, row.pressing + row.stiffness * contact.depth);
+  contact.pressing = std::max(0.0, row.before + row.stiffness * contact.depth);
   const Vector3d way = contact.x - row.anchor;
   contact.tangential = row.friction - row.sliding * (way - way.dot(row.normal) * row.normal);
   return contact;
@@ -99,9 +97,9 @@ double ContactEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* ma
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
-    const double bound = placed.friction * row.bearing;
-    if (contact.pressing == 0 && row.bearing == 0) continue;
-    energy += 0.5 * (contact.pressing - row.pressing) * (contact.pressing + row.pressing) / row.stiffness;
+    const double bound = placed.friction * row.before;
+    if (contact.pressing == 0 && row.before == 0) continue;
+    energy += 0.5 * (contact.pressing - row.before) * (contact.pressing + row.before) / row.stiffness;
     Vector3d force = contact.pressing * contact.normal;
     if (bound > 0) {
       energy += sticking_energy(contact.tangential, bound, row.sliding);
@@ -131,9 +129,9 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
-    const double bound = placed.friction * row.bearing;
+    const double bound = placed.friction * row.before;
     // A point that just touches counts: a body that is set down would else have no stiffness against its weight.
-    const bool touches = row.pressing + row.stiffness * contact.depth >= 0;
+    const bool touches = row.before + row.stiffness * contact.depth >= 0;
     if (!touches && bound == 0) continue;
     Matrix3d hessian = Matrix3d::Zero();
     if (touches) {
@@ -151,16 +149,16 @@ std::vector<ContactBlock> ContactEnergy::blocks(const VectorXd& u, bool semidefi
   return blocks;
 }
 
-ContactMemory ContactEnergy::memory_after(const VectorXd& u) const {
+ContactMemory ContactEnergy::memory_after(const VectorXd& u, double share) const {
   ContactMemory memory(slots_);
-  pairs_.remember(u, memory);
+  pairs_.remember(u, share, memory);
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
     ContactForce& force = memory[memory_row(row)];
-    force.normal = contact.pressing;
-    if (row.bearing > 0)
-      force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * contact.pressing);
+    force.normal = kept_force(contact.pressing, row.before, share, row.stiffness);
+    if (row.before > 0)
+      force.friction = placed.pose.axes.transpose() * within(contact.tangential, placed.friction * force.normal);
   }
   return memory;
 }
@@ -175,12 +173,12 @@ std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_
                         {contact.x, contact.x},
                         contact.normal,
                         row.stiffness,
-                        row.pressing,
+                        row.before,
                         contact.depth,
                         row.normal,
                         contact.tangential,
                         row.sliding,
-                        placed.friction * row.bearing});
+                        placed.friction * row.before});
   }
   return contacts;
 }
@@ -190,7 +188,7 @@ std::vector<ToolLoad> ContactEnergy::loads(const VectorXd& u) const {
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);
     const Contact contact = contact_of(row, u);
-    const double bound = placed.friction * row.bearing;
+    const double bound = placed.friction * row.before;
     if (contact.pressing == 0 && bound == 0) continue;
     ToolLoad& load = loads[surface_.pieces[row.piece].tool];
     const Vector3d force = contact.pressing * contact.normal + within(contact.tangential, bound);

@@ -33,11 +33,10 @@ class ContactEnergy {
  public:
   /// `start`: displacements [3 * vertex_count] at the start of the step. `stiffness`: row_stiffness(). A memory
   /// shorter than the rows and slots means no forces. `pairs`: of the tissue with itself. `aim`: displacements where
-  /// velocities lead, if any. `kept`: kept_shares(), or all of the forces. The first two outlive this object.
+  /// velocities lead, if any. The first two outlive this object.
   ContactEnergy(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
                 const ContactMemory& memory, const Eigen::VectorXd& start, const ToolMotion& motion,
-                std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {},
-                const std::vector<double>& kept = {});
+                std::vector<PairRow> pairs = {}, const std::vector<Eigen::Vector3d>& aim = {});
 
   /// Planes that stand for pieces in the step (sim/tool/tool_entry.h), in the axes of the scene, by row of the memory.
   void take_planes(const std::function<std::optional<ToolEntry>(std::uint32_t row)>& plane_at);
@@ -55,7 +54,7 @@ class ContactEnergy {
   const PairEnergy& pairs() const { return pairs_; }
 
   /// As long as the memory at the start, or as the rows of tools if that had none.
-  ContactMemory memory_after(const Eigen::VectorXd& u) const;
+  ContactMemory memory_after(const Eigen::VectorXd& u, double share = 1) const;
   std::vector<ToolLoad> loads(const Eigen::VectorXd& u) const;  // [tool]
   /// Of the vertices' `bodies` at `u`, with tools and with each other.
   std::vector<BodyContact> of_bodies(const std::vector<std::uint32_t>& bodies, const Eigen::VectorXd& u) const;
@@ -73,8 +72,7 @@ class ContactEnergy {
     Eigen::Vector3d friction;     // t, across `normal`
     Eigen::Vector3d anchor;       // where the piece takes the point to that was at the start [m]
     Eigen::Vector3d normal;       // n0
-    double pressing;              // lambda
-    double bearing;               // N of the step before, by which friction goes
+    double before;                // lambda, and the N by which friction goes [N]
     double sliding;               // c [N/m]
     std::optional<double> plane;  // offset of the plane across `normal` that stands for the piece (tool_entry.h) [m]
   };

@@ -322,11 +322,11 @@ std::vector<double> contact_stiffness(const Model& model, const ContactSurface& 
   return stiffness;
 }
 
-std::vector<double> kept_shares(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
-                                double length) {
+std::vector<double> stage_stiffness(const Model& model, const ContactSurface& surface,
+                                    const std::vector<double>& stiffness, double length) {
   const std::vector<double> masses = lumped_masses(model), viscosity = tissue_viscosity(model);
-  std::vector<double> shares;
-  shares.reserve(surface.points.size());
+  std::vector<double> in_stage;
+  in_stage.reserve(surface.points.size());
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
     const ContactPoint& point = surface.points[p];
     double mass = 0, ratio = 0;
@@ -335,9 +335,9 @@ std::vector<double> kept_shares(const Model& model, const ContactSurface& surfac
       ratio += point.weights[k] * viscosity[point.vertices[k]];
     }
     const double damping = ratio * stiffness[p] / (kContactPenalty * model.contact.stiffness);
-    shares.push_back(kept_share(stiffness[p], mass, damping, length));
+    in_stage.push_back(stage_stiffness(stiffness[p], mass, damping, length));
   }
-  return shares;
+  return in_stage;
 }
 
 void soften(ContactMemory& memory, const ContactSurface& surface, const std::vector<double>& before,

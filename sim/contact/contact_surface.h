@@ -101,10 +101,9 @@ std::vector<std::string> check_contact(const Model& model, const std::string& wh
 /// below it.
 std::vector<double> contact_stiffness(const Model& model, const ContactSurface& surface);
 
-/// [points] kept_share() in a stage of this length [s], of the penalties `stiffness` [points] and the masses of
-/// vertices.
-std::vector<double> kept_shares(const Model& model, const ContactSurface& surface, const std::vector<double>& stiffness,
-                                double length);
+/// [points] stage_stiffness() in a stage of this length [s], of contact_stiffness() and the masses of vertices.
+std::vector<double> stage_stiffness(const Model& model, const ContactSurface& surface,
+                                    const std::vector<double>& stiffness, double length);
 
 /// The forces that rows of tools remember, after the stiffness of points [N/m] changed: they fall with it. Tissue that
 /// is pressed in as before and has become softer would else be thrown out by what the stiffer one bore.

@@ -105,6 +105,7 @@ void PairSearch::choose_crossings() {
 // passes over in the step, the normal is then across the way.
 std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, const Triangle& t) const {
   constexpr int kHalves = 12;
+  const double grazed = kGrazed * skin_between(body_of_[v], body_of_[t[0]]);
   const auto at = [&](double share) {
     const auto place = [&](std::uint32_t i) { return Vector3d(start_[i] + share * (end_[i] - start_[i])); };
     const std::array<Vector3d, 3> corners = {place(t[0]), place(t[1]), place(t[2])};
@@ -116,12 +117,12 @@ std::optional<PairSearch::Beside> PairSearch::approach_beside(std::uint32_t v, c
     return beside;
   };
   Beside found = at(0);
-  if (found.distance > kGrazed * skin_) {
+  if (found.distance > grazed) {
     double low = 0, high = 1;
     for (int half = 0; half < kHalves; ++half) {  // towards where the distance is least, or first below the skin
       const double middle = 0.5 * (low + high), little = 1e-3 * (high - low);
       const Beside here = at(middle);
-      (here.distance <= kGrazed * skin_ || at(middle + little).distance >= here.distance ? high : low) = middle;
+      (here.distance <= grazed || at(middle + little).distance >= here.distance ? high : low) = middle;
     }
     found = at(high);
   }

@@ -29,7 +29,7 @@ PairEnergy::Contact PairEnergy::contact_of(std::size_t i, const VectorXd& u) con
     way += row.weights[k] * u.segment<3>(3 * static_cast<Eigen::Index>(row.vertices[k]));
   Contact contact;
   contact.depth = -row.gap - way.dot(row.normal);
-  contact.pressing = std::max(0.0, row.kept * before_[i].normal + row.stiffness * contact.depth);
+  contact.pressing = std::max(0.0, before_[i].normal + row.stiffness * contact.depth);
   contact.tangential =
       before_[i].friction - kStickingPenalty * row.stiffness * (way - way.dot(row.normal) * row.normal);
   return contact;
@@ -43,7 +43,7 @@ double PairEnergy::evaluate(const VectorXd& u, VectorXd& gradient, double* magni
   double energy = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Contact contact = contact_of(i, u);
-    const double before = rows_[i].kept * before_[i].normal, bound = friction_ * before_[i].normal;
+    const double before = before_[i].normal, bound = friction_ * before_[i].normal;
     if (contact.pressing == 0 && before_[i].normal == 0) continue;
     energy += 0.5 * (contact.pressing - before) * (contact.pressing + before) / rows_[i].stiffness;
     if (bound > 0) energy += sticking_energy(contact.tangential, bound, kStickingPenalty * rows_[i].stiffness);
@@ -79,7 +79,7 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
     const PairRow& row = rows_[i];
     const Contact contact = contact_of(i, u);
     const double bound = friction_ * before_[i].normal;
-    const bool touches = row.kept * before_[i].normal + row.stiffness * contact.depth >= 0;
+    const bool touches = before_[i].normal + row.stiffness * contact.depth >= 0;
     if (!touches && bound == 0) continue;
     Matrix3d hessian = Matrix3d::Zero();
     if (touches) hessian += row.stiffness * row.normal * row.normal.transpose();
@@ -93,13 +93,12 @@ std::vector<ContactBlock> PairEnergy::blocks(const VectorXd& u) const {
   return blocks;
 }
 
-void PairEnergy::remember(const VectorXd& u, ContactMemory& memory) const {
+void PairEnergy::remember(const VectorXd& u, double share, ContactMemory& memory) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Contact contact = contact_of(i, u);
     ContactForce& force = memory[first_row_ + force_row(rows_[i].slot)];
-    force.normal = contact.pressing;
-    force.friction =
-        before_[i].normal > 0 ? within(contact.tangential, friction_ * contact.pressing) : Vector3d(0, 0, 0);
+    force.normal = kept_force(contact.pressing, before_[i].normal, share, rows_[i].stiffness);
+    force.friction = before_[i].normal > 0 ? within(contact.tangential, friction_ * force.normal) : Vector3d(0, 0, 0);
     met_in(memory[first_row_ + met_row(rows_[i].slot)], rows_[i].slot) = rows_[i].met;
   }
 }
@@ -126,9 +125,8 @@ void PairEnergy::append_to(std::vector<BodyContact>& contacts, const std::vector
     }
     if (sides[0] == sides[1]) continue;
     const Contact contact = contact_of(i, u);
-    contacts.push_back({sides, places, row.normal, row.stiffness, row.kept * before_[i].normal, contact.depth,
-                        row.normal, contact.tangential, kStickingPenalty * row.stiffness,
-                        friction_ * before_[i].normal});
+    contacts.push_back({sides, places, row.normal, row.stiffness, before_[i].normal, contact.depth, row.normal,
+                        contact.tangential, kStickingPenalty * row.stiffness, friction_ * before_[i].normal});
   }
 }
 

@@ -30,7 +30,7 @@ class PairEnergy {
   double rounding(const Eigen::VectorXd& u) const;                   // as that of ContactEnergy
   std::vector<ContactBlock> blocks(const Eigen::VectorXd& u) const;  // of the Hessian, which is semidefinite
   bool empty() const { return rows_.empty(); }
-  void remember(const Eigen::VectorXd& u, ContactMemory& memory) const;
+  void remember(const Eigen::VectorXd& u, double share, ContactMemory& memory) const;
   void put_rows(std::vector<RowState>& states, const Eigen::VectorXd& u) const;  // as ContactEnergy
   void append_to(std::vector<BodyContact>& contacts, const std::vector<std::uint32_t>& bodies,
                  const Eigen::VectorXd& u) const;  // as ContactEnergy::of_bodies()

@@ -75,7 +75,7 @@ double PairSearch::depth_of(const PairRow& row) const {
 }
 
 bool PairSearch::press_harder(const PairRow& row) {
-  raised_[row.slot] = whole_[row.slot] = 1;
+  raised_[row.slot] = 1;
   normal_[row.slot] += row.stiffness * std::max(depth_of(row), kLeastGap * skin_);
   return true;
 }

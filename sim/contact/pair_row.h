@@ -23,7 +23,6 @@ struct PairRow {
   double gap = 0;                         // at the start [m], below 0 inside
   double stiffness = 0;                   // of the penalty on depth [N/m]
   double before = 0;                      // normal force that the step before left [N]
-  double kept = 1;                        // lambda over it: kept_share()
   std::uint32_t slot = 0;                 // that remembers its force
   std::uint32_t met = 0;                  // 1 + the triangle that the slot's vertex met, or the edge that its edge met
   std::array<std::uint32_t, 2> bodies{};  // in Model::bodies: the side that `normal` points to, and the other

@@ -12,11 +12,13 @@ using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
 constexpr double kSkin = 0.1;  // of the mean edge: wide enough for what a penalty lets in when bodies meet
-// Of the skin: pairs that start closer are parted by this much in a step.
-constexpr double kParting = 0.25;
-// Bodies that a scene sets on each other, nearer than the skin and hardly moving, part by the skin in this time [s]:
-// what parts faster than it must jumps apart. Until twice that. What meets later has to part fast.
-constexpr double kSlowParting = 0.5;
+// Pairs that start closer are parted by the skin in this time [s]: what parts faster than it must jumps apart. Those
+// that have less than kParting of the skin left, or none, have to part faster.
+constexpr double kSlowParting = 0.5, kFastParting = 1.0 / 15;
+constexpr double kParting = 0.25;  // also the most in a step, of the skin
+// Bodies that a scene sets on each other, nearer than the skin and hardly moving, part slowly until twice that time.
+// Their skin is what they have parted by, so that no vertex beside an edge is within it, where it would stop what
+// slides.
 constexpr double kHardlyMoving = 0.1;  // [s] in which they may close by the skin
 // Sine of the angle between the normals at an edge, above which it can touch another one.
 constexpr double kSharp = 0.005;
@@ -70,8 +72,9 @@ void PairSearch::find_set_on_each_other(const Model& model) {
     double gap = 0;
     for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(rest_[row.vertices[k]]);
     const double closing = (velocity[row.bodies[0]] - velocity[row.bodies[1]]).norm();
-    if (row.bodies[0] != row.bodies[1] && gap < skin_ && closing * kHardlyMoving < skin_)
-      set_on_each_other_.insert(std::minmax(row.bodies[0], row.bodies[1]));
+    if (row.bodies[0] == row.bodies[1] || gap >= skin_ || closing * kHardlyMoving >= skin_) continue;
+    const auto set = set_on_each_other_.try_emplace(std::minmax(row.bodies[0], row.bodies[1]), skin_).first;
+    set->second = std::max(0.0, std::min(set->second, gap));
   }
 }
 
@@ -185,7 +188,6 @@ std::vector<PairRow> PairSearch::find(const std::vector<Vector3d>& start, const 
   cuts_ = false;
   length_ = length;
   time_ = time;
-  whole_.assign(slot_count_, 0);
   if (empty()) return {};
   normal_.assign(slot_count_, 0);
   pressed_.assign(slot_count_, 0);
@@ -220,7 +222,7 @@ double PairSearch::softness_of(const PairRow& row) const {
   return softness[0] / weight[0] + softness[1] / weight[1];
 }
 
-double PairSearch::kept_share_of(const PairRow& row) const {
+double PairSearch::stage_stiffness_of(const PairRow& row) const {
   double mobility = 0, ratio = 0;  // [1/kg], [s]
   for (std::size_t k = 0; k < 4; ++k) {
     const std::uint32_t v = row.vertices[k];
@@ -228,7 +230,21 @@ double PairSearch::kept_share_of(const PairRow& row) const {
     mobility += row.weights[k] * row.weights[k] / masses_[v];
     ratio = std::max(ratio, viscosity_[v]);
   }
-  return kept_share(row.stiffness, 1 / mobility, ratio * row.stiffness / penalty_, length_);
+  return stage_stiffness(row.stiffness, 1 / mobility, ratio * row.stiffness / penalty_, length_);
+}
+
+double PairSearch::skin_between(std::uint32_t a, std::uint32_t b) const {
+  if (time_ >= 2 * kSlowParting) return skin_;
+  const auto set = set_on_each_other_.find(std::minmax(a, b));
+  if (set == set_on_each_other_.end()) return skin_;
+  return std::min(skin_, set->second + (time_ + length_) / kSlowParting * skin_);
+}
+
+double PairSearch::target_of(const PairRow& row, double gap) const {
+  const double slow = std::min(kParting, length_ / kSlowParting), fast = std::min(kParting, length_ / kFastParting);
+  const bool calm = time_ < 2 * kSlowParting && set_on_each_other_.contains(std::minmax(row.bodies[0], row.bodies[1]));
+  const double danger = calm ? 0 : std::clamp(1 - gap / (kParting * skin_), 0.0, 1.0);
+  return std::min(skin_between(row.bodies[0], row.bodies[1]), gap + (slow + danger * (fast - slow)) * skin_);
 }
 
 std::vector<PairRow> PairSearch::find_again() {
@@ -267,13 +283,9 @@ std::vector<PairRow> PairSearch::find_pairs() {
       row.start += row.weights[k] * (start_[row.vertices[k]] - rest_[row.vertices[k]]);
     }
     row.before = normal_[row.slot];
-    row.kept = whole_[row.slot] ? 1 : kept_share_of(row);
+    row.stiffness = stage_stiffness_of(row);
     const double gap = row.normal.dot(x);
-    double parting = kParting;
-    if (time_ < 2 * kSlowParting && set_on_each_other_.contains(std::minmax(row.bodies[0], row.bodies[1])))
-      // Where lambda counts in part only, in short stages, depth carries the rest.
-      parting = std::min(kParting, length_ / kSlowParting + (1 - row.kept) * kParting);
-    row.gap = gap - std::min(skin_, gap + parting * skin_);
+    row.gap = gap - target_of(row, gap);
     for (std::size_t k = 1; k < 4 && held_[row.vertices[0]]; ++k) {  // a free vertex carries the energy
       std::swap(row.vertices[0], row.vertices[k]);
       std::swap(row.weights[0], row.weights[k]);

@@ -19,8 +19,8 @@
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -118,8 +118,10 @@ class PairSearch {
                                              const Eigen::Vector3d& b, const Eigen::Vector3d& along_b);
   std::vector<PairRow> find_pairs();
   void find_set_on_each_other(const Model& model);
-  double kept_share_of(const PairRow& row) const;
-  double softness_of(const PairRow& row) const;  // of both sides in a row [m/Pa]
+  double stage_stiffness_of(const PairRow& row) const;          // [N/m]
+  double skin_between(std::uint32_t a, std::uint32_t b) const;  // of two bodies [m]
+  double target_of(const PairRow& row, double gap) const;  // the gap at the end of the stage, if the pair presses [m]
+  double softness_of(const PairRow& row) const;            // of both sides in a row [m/Pa]
   /// Of the two sides of a pair [m/Pa]. A guard does not know what it met (PairRow::met 0): twice that of its slot.
   double softness_between(const std::vector<double>& softness, std::uint32_t slot, double met) const;
   void keep_guards();
@@ -177,9 +179,10 @@ class PairSearch {
   bool self_ = false, bodies_ = false;
   double skin_ = 0, edge_ = 0;  // [m]; edge: the mean length of edges
   double penalty_ = 0, length_ = 0, time_ = 0;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> set_on_each_other_;  // bodies, the lower one first
-  std::vector<double> masses_;                                           // [vertex_count] [kg]
-  std::uint32_t slot_count_ = 0, body_slots_ = 0, first_guard_ = 0;      // slots of guards: vertices, then edges
+  // By bodies, the lower one first: the least gap at first [m]
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> set_on_each_other_;
+  std::vector<double> masses_;                                       // [vertex_count] [kg]
+  std::uint32_t slot_count_ = 0, body_slots_ = 0, first_guard_ = 0;  // slots of guards: vertices, then edges
   std::vector<Eigen::Vector3d> rest_;
   std::vector<char> held_;
   std::vector<Triangle> triangles_;
@@ -204,7 +207,6 @@ class PairSearch {
   std::vector<char> pressed_;                    // [slot] in the step before
   std::vector<std::uint32_t> met_;               // [slot] PairRow::met of the step before
   std::vector<double> normal_;                   // [slot] force that pairs start with [N]
-  std::vector<char> whole_;                      // [slot] presses harder, and keeps all of its force
   std::vector<PairRow> guards_;
   bool cuts_ = false;
   std::vector<char> raised_;  // [slot] since the last search

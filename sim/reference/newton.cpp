@@ -82,7 +82,9 @@ struct NewtonSolver::Impl {
     memory.resize(contact.row_count + pairs.row_count());
     const auto before = std::span<const ContactForce>(memory).subspan(contact.row_count);
     std::vector<Vector3d> path = end;
-    rows = row_stiffness(model, contact, stiffness, memory, motion, as_vectors(start), end);
+    if (stage && stage_length != stage->length)
+      in_stage = stage_stiffness(model, contact, stiffness, stage_length = stage->length);
+    rows = row_stiffness(model, contact, stage ? in_stage : stiffness, memory, motion, as_vectors(start), end);
     if (!stage)
       return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion,
                                              pairs.find(as_vectors(start), end, before));
@@ -91,16 +93,15 @@ struct NewtonSolver::Impl {
       for (std::size_t v = 0; v < path.size(); ++v)
         if (falls[v] && carried[v]) path[v] -= fall_in(*stage);
     }
-    if (kept_in != stage->length) kept = kept_shares(model, contact, stiffness, kept_in = stage->length);
     return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion,
-                                           pairs.find(as_vectors(start), path, before, stage->length, time), end, kept);
+                                           pairs.find(as_vectors(start), path, before, stage->length, time), end);
   }
   /// After pairs.misses().
   std::shared_ptr<const ContactEnergy> contact_again(const VectorXd& start, const ToolMotion& motion,
                                                      const std::vector<Vector3d>& aim, ContactMemory& memory) {
     std::vector<PairRow> found = pairs.find_again();
     for (const PairRow& row : found) memory[contact.row_count + force_row(row.slot)].normal = row.before;
-    return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion, std::move(found), aim, kept);
+    return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion, std::move(found), aim);
   }
   Vector3d fall_in(const IntegratorStage& stage) const { return stage.duration * stage.duration * model.gravity; }
   void read_out(std::shared_ptr<const ContactEnergy> energy, const VectorXd& u) {
@@ -144,9 +145,9 @@ struct NewtonSolver::Impl {
   const std::vector<double> penalty;  // [contact.points] [N/m]
   std::vector<double> rows;           // row_stiffness() of the last contact_from()
   PairSearch pairs;
-  std::vector<char> falls;   // [vertex] in unconstrained parts
-  std::vector<double> kept;  // [point] in stages of the length `kept_in` [s]
-  double kept_in = 0;
+  std::vector<char> falls;       // [vertex] in unconstrained parts
+  std::vector<double> in_stage;  // [point] the penalty in stages of `stage_length` [s]
+  double stage_length = 0;
   std::optional<ToolMotion> tools;  // none: on their paths
   ContactLoads loads;
   std::shared_ptr<const ContactEnergy> touched;  // of the last step or solve, which ended at `touched_at`
@@ -245,7 +246,7 @@ NewtonReport NewtonSolver::Impl::solve(const IntegratorStage& stage, const ToolM
   state.time += stage.duration;
   if (potential.contact) {
     read_out(potential.contact, u);
-    state.contact = potential.contact->memory_after(u);
+    state.contact = potential.contact->memory_after(u, stage.share);
   }
   return report;
 }

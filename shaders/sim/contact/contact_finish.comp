@@ -3,6 +3,7 @@
 // carried, a body at rest would creep by the rounding of each step.
 #include "common/io.glsl"
 COMPUTE_1D
+#include "common/step.glsl"
 #include "sim/contact/point.glsl"
 INPUT_VEC4(ContactRest, contact_rest)  // [2 * points] point.glsl
 #include "sim/contact/row.glsl"
@@ -30,6 +31,12 @@ Row where_moved(Row r, uint row) {
   return r;
 }
 
+// What the next stage starts with: kept_force() of sim/contact/contact_block.h.
+float kept_of(Row r) {
+  float kept = STAGE_SHARE * r.pressing + (1.0 - STAGE_SHARE) * r.before;
+  return kept > 1e-12 * r.penalty ? kept : 0.0;
+}
+
 void main() {
   ITEM_OR_RETURN(i)
   uvec4 vertices = FETCH(contact_vertices, i);
@@ -39,7 +46,8 @@ void main() {
   if (i >= points) {
     uint pair = i - points, row = row_of_pair(pair);
     Row here = row_of(pair, u, contact_memory_now[row]), r = where_moved(here, row);
-    contact_memory_now[row] = vec4(within(here.across, friction_of_pair(pair) * r.pressing), r.pressing);
+    float left = kept_of(r);
+    contact_memory_now[row] = vec4(within(here.across, friction_of_pair(pair) * left), left);
     contact_force[i] = vec4(force_of(r), r.pressing);
     return;
   }
@@ -50,8 +58,9 @@ void main() {
     uint piece = uint(findLSB(near)), row = first_row_of(piece) + i;
     Row here = row_at(piece, row, rest, more, u, contact_memory_now[row], contact_row[row]), r = where_moved(here, row);
     vec3 row_force = force_of(r), left = same(pose_at_start(piece), pose_at_end(piece)) ? here.across : r.across;
-    vec3 across = within(left, friction_of(piece) * r.pressing);
-    contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, r.pressing);
+    float kept = kept_of(r);
+    vec3 across = within(left, friction_of(piece) * kept);
+    contact_memory_now[row] = vec4(across * pose_at_end(piece).axes, kept);
     contact_row[row] = vec4(row_force, r.pressing > 0.0 ? max(r.depth, 0.0) : -1.0);
     force += vec4(row_force, r.pressing);
   }

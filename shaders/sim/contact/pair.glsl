@@ -1,5 +1,5 @@
 // Pairs of places of the tissue, as sim/contact/pair_energy.h states their energy. After row.glsl.
-// [3 * pairs] normal, gap [m]; start [m], penalty [N/m]; friction, row, lambda over the force of the stage before, 0
+// [3 * pairs] normal, gap [m]; start [m], penalty [N/m]; friction, row, 0, 0
 INPUT_VEC4(ContactPairs, contact_pairs)
 uniform uint points;                     // pairs come after these
 
@@ -12,7 +12,7 @@ Row row_of(uint pair, vec3 u, vec4 memory) {
   vec3 way = u - start.xyz;
   float along = dot(front.xyz, way);
   Row r;
-  r.before = FETCH(contact_pairs, 3u * pair + 2u).z * memory.w;
+  r.before = memory.w;
   r.penalty = start.w;
   r.depth = -front.w - along;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);

@@ -2,8 +2,7 @@
 // places of the tissue that may touch (sim/contact/pair_row.h).
 INPUT_UVEC4(ContactVertices, contact_vertices)  // [points + pairs] the vertices, the first one free
 INPUT_VEC4(ContactWeights, contact_weights)     // [points + pairs] their weights; PAIRS: whether there may be pairs
-// contact_rest, [2 * points]: place at rest [m], w penalty on depth [N/m]; lambda over the force of the stage
-// before, what float32 loses of the place [m]
+// contact_rest, [2 * points]: place at rest [m], w penalty on depth [N/m]; what float32 loses of the place [m]
 
 // Of an array of vectors at the vertices: at a point, or between the two sides of a pair. Points have three vertices.
 #define AT_POINT_OF_FACE(vectors, vertices, weights) \

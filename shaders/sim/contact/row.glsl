@@ -15,7 +15,7 @@ struct Row {
 // with which the point would go where the piece goes, w k.
 Row row_at(uint piece, uint row, vec4 rest, vec4 more, vec3 u, vec4 memory, vec4 anchor) {
   precise vec3 x = rest.xyz + u;
-  precise vec3 lost = (rest.xyz - (x - (x - rest.xyz))) + (u - (x - rest.xyz)) + more.yzw;  // of the sum (Knuth 1969)
+  precise vec3 lost = (rest.xyz - (x - (x - rest.xyz))) + (u - (x - rest.xyz)) + more.xyz;  // of the sum (Knuth 1969)
   PiecePose pose = pose_at_end(piece);
   vec4 n0 = FETCH(contact_normal, row), d = vec4(n0.xyz, dot(n0.xyz, x) - n0.w);
   if (n0.w == NO_PLANE) {
@@ -26,7 +26,7 @@ Row row_at(uint piece, uint row, vec4 rest, vec4 more, vec3 u, vec4 memory, vec4
   }
   d.w += dot(d.xyz, lost);  // rounded places are off by more than what small stiff tissue lets in under its load
   Row r;
-  r.before = more.x * memory.w;
+  r.before = memory.w;
   r.penalty = anchor.w;
   r.depth = half_thickness(piece) - d.w;
   r.pressing = max(0.0, r.before + r.penalty * r.depth);

@@ -214,7 +214,8 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
 }
 
 EnergyTerm::Passes ContactTerm::finish(gl::ProgramCache& programs, const SimBuffers& buffers, bool moves_bodies) const {
-  gl::ComputePass::Bindings bindings{{"displacement", &buffers.displacement},
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
+                                     {"displacement", &buffers.displacement},
                                      {"contact_memory_now", &buffers.contact_memory},
                                      {"contact_row", &rows_},
                                      {"contact_force", &forces_}};

@@ -176,16 +176,16 @@ std::uint32_t ContactTerm::stretches() const { return std::max(1u, (point_count(
 
 void ContactTerm::upload_points(const Model& model) {
   stiffness_ = contact_stiffness(model, surface_);
-  if (length_ > 0) kept_ = kept_shares(model, surface_, stiffness_, length_);
+  const std::vector<double> in_stage = length_ > 0 ? stage_stiffness(model, surface_, stiffness_, length_) : stiffness_;
   std::vector<vec4> weights, rest;
   for (std::size_t p = 0; p < surface_.points.size(); ++p) {
     const ContactPoint& point = surface_.points[p];
     Vector3d x = -origin_;
     for (std::size_t k = 0; k < 3; ++k) x += point.weights[k] * model.rest_positions[point.vertices[k]];
     weights.push_back(row_of({point.weights[0], point.weights[1], point.weights[2]}));
-    rest.push_back(row_of(x, stiffness_[p]));
+    rest.push_back(row_of(x, in_stage[p]));
     const Vector3d lost = rounding_of(x);
-    rest.push_back(row_of({kept_.empty() ? 1 : kept_[p], lost.x(), lost.y()}, lost.z()));
+    rest.push_back(row_of(lost));
   }
   weights_.upload(0, weights.size() * sizeof(vec4), weights.data());
   rest_.upload(0, rest.size() * sizeof(vec4), rest.data());
@@ -231,11 +231,7 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
   if (share_ > 0) keep_loads();
   share_ = stage.share / substeps_;
   read_list_.clear();
-  if (length_ != stage.length) {
-    length_ = stage.length;
-    const std::vector<double> kept = kept_shares(model_, surface_, stiffness_, length_);
-    if (kept != kept_) upload_points(model_);
-  }
+  if (std::exchange(length_, stage.length) != stage.length) upload_points(model_);
   if (!surface_.empty()) place_pieces(motion);
   motion_ = motion;
   if (!pairs_.empty()) {
@@ -266,8 +262,7 @@ void ContactTerm::move_bodies(const BodyMotions& motions, SimBuffers& buffers, g
   };
   std::vector<double> stiffness;
   for (const vec4& row : rows) stiffness.push_back(row.w);
-  ContactEnergy energy(model_, surface_, stiffness, before, flat(buffers.vectors_of(from)), motion_, pairs_.rows(), {},
-                       kept_);
+  ContactEnergy energy(model_, surface_, stiffness, before, flat(buffers.vectors_of(from)), motion_, pairs_.rows());
   if (!rows.empty())
     energy.take_planes([&](std::uint32_t row) -> std::optional<ToolEntry> {
       const vec4& plane = normals[row];
@@ -346,7 +341,7 @@ void ContactTerm::upload_pairs() {
     constants.push_back(row_of(pair.normal, pair.gap));
     constants.push_back(row_of(pair.start, pair.stiffness));
     constants.push_back(
-        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), pair.kept}));
+        row_of({model_.contact.friction, static_cast<double>(surface_.row_count + force_row(pair.slot)), 0}));
     listed.push_back(point_count() + static_cast<std::uint32_t>(listed.size()));
   }
   vertices_.upload(sizeof(Tet) * point_count(), vertices.size() * sizeof(Tet), vertices.data());

@@ -150,13 +150,13 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, moved_rows_, forces_, blocks_, loads_;
-  gl::Buffer sums_;                       // of contact_gather.comp; absent on GPUs
-  gl::Buffer crowds_;                     // float [pieces * vertex_count]; absent where no tool is crowded()
-  gl::Buffer areas_;                      // float [vertex_count] [m^2]; created for the first picture of pressures
-  std::vector<double> stiffness_, kept_;  // [point] of the penalty on depth [N/m]; kept_shares() of the stage
-  double length_ = 0;                     // of the stage [s]
-  int substeps_ = 1;                      // of the step
-  double share_ = 0;                      // of the stage in the loads of the step; 0 before its first one
+  gl::Buffer sums_;                // of contact_gather.comp; absent on GPUs
+  gl::Buffer crowds_;              // float [pieces * vertex_count]; absent where no tool is crowded()
+  gl::Buffer areas_;               // float [vertex_count] [m^2]; created for the first picture of pressures
+  std::vector<double> stiffness_;  // [point] contact_stiffness() [N/m]
+  double length_ = 0;              // of the stage [s]
+  int substeps_ = 1;               // of the step
+  double share_ = 0;               // of the stage in the loads of the step; 0 before its first one
   StepLoads earlier_loads_;
   std::optional<gl::ComputePass> load_pass_;
   bool has_moved_rows_ = false;            // of move_bodies() in moved_rows_

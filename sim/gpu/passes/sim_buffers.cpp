@@ -374,7 +374,7 @@ void SimBuffers::upload_step(const Model& model, const SolverSettings& settings,
        static_cast<float>(settings.tolerance), static_cast<float>(1 / mean_mass)},
       to_vec4(model.materials.front(), hardness),
       {static_cast<float>(kFarthest * (size + h * h * model.gravity.norm())), static_cast<float>(stage.duration),
-       static_cast<float>(stage.extrapolation), 0}};
+       static_cast<float>(stage.extrapolation), static_cast<float>(stage.share)}};
   step.upload(0, sizeof values, &values);
 }
 

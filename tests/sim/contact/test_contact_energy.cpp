@@ -1,6 +1,8 @@
 #include "sim/contact/contact_energy.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "sim/contact/row_stiffness.h"
@@ -45,9 +47,7 @@ struct Pressed {
     for (Eigen::Index v = 0; v < start.size() / 3; ++v) u.push_back(start.segment<3>(3 * v));
     rows = row_stiffness(model, surface, stiffness, memory, motion, u, u);
   }
-  ContactEnergy energy(const std::vector<double>& kept = {}) const {
-    return {model, surface, rows, memory, start, motion, {}, {}, kept};
-  }
+  ContactEnergy energy() const { return {model, surface, rows, memory, start, motion}; }
 };
 
 TEST_CASE("forces of contact are the gradient of its energy, and its blocks their derivative", "[contact]") {
@@ -61,21 +61,22 @@ TEST_CASE("forces of contact are the gradient of its energy, and its blocks thei
   }
 }
 
-TEST_CASE("a stage that is short beside the oscillation of penalty and mass keeps no multiplier", "[contact]") {
-  const double stiffness = 1e4, mass = 0.01;  // 1,000 rad/s
-  CHECK(kept_share(stiffness, mass, 0, 0.001) == 0);
-  CHECK(kept_share(stiffness, mass, 0, 0.00225) == Approx(0.5));
-  CHECK(kept_share(stiffness, mass, 0, 0.004) == 1);
-  CHECK(kept_share(stiffness, mass, 0, std::numeric_limits<double>::infinity()) == 1);
-  CHECK(kept_share(stiffness, mass, 200, 0.004) == 0);  // a damper that ties what is far to the point
-  CHECK(kept_share(stiffness, mass, 200, 0.04) == 1);
+// What presses is out of the tool a stage later if k l^2 is 9 times what is held back.
+TEST_CASE("the penalty of a short stage holds the mass at the point, and what a damper ties to it", "[contact]") {
+  const double stiffness = 1e4, mass = 0.01;
+  CHECK(stage_stiffness(stiffness, mass, 0, 0.001) == Approx(9 * mass / 1e-6));
+  CHECK(stage_stiffness(stiffness, mass, 0, 0.003) == Approx(stiffness));
+  CHECK(stage_stiffness(stiffness, mass, 0, 0.01) == stiffness);
+  CHECK(stage_stiffness(stiffness, mass, 0, std::numeric_limits<double>::infinity()) == stiffness);
+  // Held back is the root q of q^2 - y q - y t = 0, with the mass's own y = m / l^2 and the damper's t = d / l.
+  const double length = 0.004, damping = 200, y = mass / (length * length), t = damping / length;
+  const double held = stage_stiffness(stiffness, mass, damping, length) / 9;
+  CHECK(held * held - y * held - y * t == Approx(0).margin(1e-9 * held * held));
+  CHECK(stage_stiffness(stiffness, mass, damping, 0.04) == stiffness);
   const Pressed pressed(0.5);
-  for (const double share : kept_shares(pressed.model, pressed.surface, pressed.stiffness, 1.0 / 60)) CHECK(share == 1);
-  const std::vector<double> half(pressed.surface.points.size(), 0.5);
-  const ContactEnergy energy = pressed.energy(half);
-  test::Random random(8);
-  const VectorXd u = pressed.start + 2e-3 * random.vector(pressed.start.size());
-  test::check_derivatives(energy, energy.blocks(u, false), u);
+  CHECK(stage_stiffness(pressed.model, pressed.surface, pressed.stiffness, 1.0 / 60) == pressed.stiffness);
+  for (const double k : stage_stiffness(pressed.model, pressed.surface, pressed.stiffness, 1e-5))
+    CHECK(k > *std::max_element(pressed.stiffness.begin(), pressed.stiffness.end()));
 }
 
 TEST_CASE("forces read out are opposite to those on the tissue, and friction keeps within its bound", "[contact]") {
@@ -102,6 +103,29 @@ TEST_CASE("forces read out are opposite to those on the tissue, and friction kee
     CHECK(force.normal >= 0);
     CHECK(force.friction.norm() <= 0.5 * force.normal + 1e-12);
   }
+}
+
+TEST_CASE("what the next stage starts with is the mean of the stages by their shares", "[contact]") {
+  constexpr double kStiffness = 1e3;
+  CHECK(kept_force(2, 5, 1, kStiffness) == 2);
+  CHECK(kept_force(0, 5, 1, kStiffness) == 0);
+  CHECK(kept_force(3, 1, 0.25, kStiffness) == Approx(1.5).epsilon(1e-15));
+  CHECK(kept_force(0, 1, 0.25, kStiffness) == Approx(0.75).epsilon(1e-15));
+  CHECK(kept_force(0, 1e-10, 0.25, kStiffness) == 0);
+
+  // Forces that stages bear in turns: the impulse of friction is mu times the normal one.
+  const double share = 1 - std::sqrt(0.5);  // of the second stage of SDIRK2
+  double kept = 0, normal = 0, friction = 0;
+  for (int step = 0; step < 100; ++step) {
+    const double first = step < 50 ? 7 : 0, second = step % 10 == 9 ? 4 : 0;
+    friction += (1 - share) * kept;
+    kept = kept_force(first, kept, 1 - share, kStiffness);
+    friction += share * kept;
+    kept = kept_force(second, kept, share, kStiffness);
+    normal += (1 - share) * first + share * second;
+  }
+  CAPTURE(normal, friction, kept);
+  CHECK(friction + kept == Approx(normal).epsilon(1e-12));
 }
 
 }  // namespace

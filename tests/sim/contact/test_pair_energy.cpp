@@ -109,7 +109,7 @@ TEST_CASE("forces between tissue add up to nothing, and the load of a body is th
   CHECK((loads[0].force - second).norm() < 1e-12 * second.norm());
   CHECK(loads[0].bodies == std::array<std::uint32_t, 2>{0, 1});
   ContactMemory memory(memory_rows(6));
-  energy.remember(u, memory);
+  energy.remember(u, 1, memory);
   double normal = 0;
   for (std::uint32_t k = 0; k < 6; ++k) {
     const ContactForce& force = memory[force_row(k)];
