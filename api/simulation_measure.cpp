@@ -46,7 +46,8 @@ Diagnostics Simulation::diagnostics() {
 std::vector<Support> Simulation::supports() const {
   return impl_->call([](fascia::Simulation& simulation) {
     std::vector<Support> out;
-    for (const reference::Support& s : reference::support_forces(simulation.model, simulation.state()))
+    for (const reference::Support& s :
+         reference::support_forces(simulation.model, simulation.state(), simulation.contact_forces()))
       out.push_back({s.body, s.motion, array_of(s.force)});
     return out;
   });

@@ -279,7 +279,11 @@ int run_input(const RunOptions& options) {
       stats.residual = diagnostics->residual;
       double mass = 0;
       for (const double m : lumped_masses(simulation.model)) mass += m;
-      stats.imbalance = diagnostics->imbalance(mass * simulation.model.gravity);
+      double of_support = 0;
+      for (const reference::Support& support :
+           reference::support_forces(simulation.model, last, simulation.contact_forces()))
+        of_support = std::max(of_support, support.force.norm());
+      stats.imbalance = diagnostics->imbalance(mass * simulation.model.gravity, of_support);
     }
     count_work(stats, simulation);
   } else {
@@ -324,9 +328,9 @@ int run_input(const RunOptions& options) {
   if (!options.quiet && options.static_equilibrium)
     std::cerr << "fascia: solved in " << stats.wall_s << " s\n";
   else if (!options.quiet)
-    std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", " << last.time
-              << " s simulated in " << stats.wall_s << " s, median " << percentiles(stats.solve_ms).median
-              << " ms a step\n";
+    std::cerr << "fascia: " << plural(static_cast<std::size_t>(stats.steps), "step") << ", "
+              << static_cast<double>(stats.steps) * simulation.scene.solver.time_step << " s simulated in "
+              << stats.wall_s << " s, median " << percentiles(stats.solve_ms).median << " ms a step\n";
   return interrupted() ? exit_interrupted : exit_done;
 }
 

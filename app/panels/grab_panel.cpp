@@ -59,7 +59,8 @@ void balance_rows(const Simulation& simulation, const SceneFacts& facts, const D
   const ImVec4& color = off <= kBalanced ? ui::kGood : off <= kAlmost ? ui::kWarning : ui::kDanger;
   ui::fact(
       "Balance", text,
-      "Supports + weight + grabs - mass times acceleration, over the largest of them. Inside the body all forces "
+      "Supports + weight + grabs + contact - mass times acceleration, over the largest of them. Inside the body all "
+      "forces "
       "cancel, so\nnothing remains of a solved step. The remainder shows how far the iterations are from that. More "
       "of them help.\nSupports  " +
           in_newtons(d.reaction) + "\nWeight  " + in_newtons(weight) + "\nGrabs  " + in_newtons(d.grab_force) +

@@ -57,6 +57,14 @@ void append_placed(const ShapeMesh& mesh, const RigidPose& pose, RigidSurface& s
     surface.triangles.push_back({first + t[0], first + t[mirrored ? 2 : 1], first + t[mirrored ? 1 : 2]});
 }
 
+std::vector<std::uint32_t> held_vertices(const Model& model) {
+  const std::vector<char> held = model.held();
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < held.size(); ++v)
+    if (held[v]) vertices.push_back(v);
+  return vertices;
+}
+
 ShownValues together(const ShownValues& a, const ShownValues& b) {
   return {std::min(a.smallest, b.smallest), std::max(a.largest, b.largest), std::max(a.usual, b.usual)};
 }
@@ -67,9 +75,9 @@ Session::Session(Graphics& graphics, Scene scene, Model built, bool use_referenc
     : simulation(std::move(scene), std::move(built), graphics.programs.get(), use_reference, progress),
       surface_(drawn_surface(simulation.model)),
       description_(describe(graphics)) {
-  renderer_.emplace(*simulation.programs(), surface_.triangles,
-                    static_cast<std::uint32_t>(surface_.rest_positions.size()),
-                    drawn_marks(simulation.model, simulation.model.fixed), surface_.rest_positions, surface_.colors);
+  renderer_.emplace(
+      *simulation.programs(), surface_.triangles, static_cast<std::uint32_t>(surface_.rest_positions.size()),
+      drawn_marks(simulation.model, held_vertices(simulation.model)), surface_.rest_positions, surface_.colors);
   const Model& model = simulation.model;
   box_min_.setConstant(1e300);
   box_max_.setConstant(-1e300);

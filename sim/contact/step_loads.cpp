@@ -33,6 +33,7 @@ void StepLoads::add(double share, const ContactLoads& loads) {
 ContactLoads StepLoads::mean(ContactLoads last) const {
   if (shares_ == 0) return last;
   ContactLoads mean = earlier_;
+  mean.on_held = last.on_held;
   add_forces(mean.tools, 1 - shares_, last.tools);
   add_forces(mean.pairs, 1 - shares_, last.pairs);
   for (std::size_t tool = 0; tool < last.tools.size(); ++tool) {

@@ -10,6 +10,7 @@ namespace fascia {
 struct ContactLoads {
   std::vector<ToolLoad> tools;  // [tool of the model]
   std::vector<PairLoad> pairs;
+  Eigen::Vector3d on_held{0, 0, 0};  // of both on held vertices, at the end of the last stage [N]
 };
 
 class StepLoads {

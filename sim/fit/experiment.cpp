@@ -44,7 +44,7 @@ class Reading {
 
  private:
   const std::vector<reference::Support>& supports() {
-    if (!supports_) supports_ = reference::support_forces(model_, moment_.state);
+    if (!supports_) supports_ = reference::support_forces(model_, moment_.state, moment_.contact);
     return *supports_;
   }
 

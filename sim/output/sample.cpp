@@ -80,7 +80,7 @@ Sample sample_of(const Diagnostics& d) {
 
 Diagnostics diagnostics_by_reference(const Simulation& simulation) {
   const State state = simulation.state();
-  const reference::Measures m = reference::measure(simulation.model, state);
+  const reference::Measures m = reference::measure(simulation.model, state, simulation.contact_forces());
   Diagnostics d;
   d.time = state.time;
   d.kinetic = m.kinetic;
@@ -117,7 +117,8 @@ Sample sample_now(Simulation& simulation, std::uint32_t probe) {
     s = sample_of(*diagnostics);
     if (std::isnan(s.iterations)) s.iterations = simulation.iterations_granted();
   }
-  if (!simulation.model.motions.empty()) s.supports = reference::support_forces(simulation.model, simulation.state());
+  if (!simulation.model.motions.empty())
+    s.supports = reference::support_forces(simulation.model, simulation.state(), simulation.contact_forces());
   s.step = simulation.steps_made();
   if (s.step == 0) s.residual = s.iterations = Sample::kUnknown;
   return s;

@@ -57,9 +57,9 @@ Json grab_forces(const Simulation& simulation, const State& last) {
   return {{"total", to_json(total)}, {"hands", grabs}};
 }
 
-Json supports_of(const Model& model, const State& last) {
+Json supports_of(const Model& model, const State& last, const std::vector<Eigen::Vector3d>& contact) {
   Json supports = Json::array();
-  for (const reference::Support& support : reference::support_forces(model, last)) {
+  for (const reference::Support& support : reference::support_forces(model, last, contact)) {
     Json entry{{"body", model.bodies[support.body].name}};
     if (support.motion)
       entry["prescribed"] = *support.motion;
@@ -120,41 +120,42 @@ void count_work(RunStats& stats, Simulation& simulation) {
 
 void write_stats(const std::filesystem::path& path, const RunStats& stats, const Simulation& simulation,
                  const State& last) {
-  const reference::Measures measures = reference::measure(simulation.model, last);
-  Json json{
-      {"version", FASCIA_VERSION},
-      {"renderer", stats.renderer},
-      {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
-      {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
-      {"integrator", name_of(simulation.scene.solver.integrator)},
-      {"vertices", simulation.model.rest_positions.size()},
-      {"tets", simulation.model.tets.size()},
-      {"steps", stats.steps},
-      {"steps_asleep", simulation.steps_asleep()},
-      {"time_step", simulation.scene.solver.time_step},
-      {"substeps", simulation.scene.solver.substeps},
-      {"time", last.time},
-      {"iterations_per_step", simulation.mean_iterations() * simulation.scene.solver.substeps},
-      {"wall_s", stats.wall_s},
-      {"ms_per_step", to_json(percentiles(stats.step_ms))},
-      {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
-      {"residual", stats.residual},
-      {"nan", !is_finite(last)},
-      {"inverted", measures.inverted},
-      {"J", {measures.min_det_f, measures.max_det_f}},
-      {"max_von_mises_Pa", measures.max_von_mises},
-      {"kinetic_J", measures.kinetic},
-      {"elastic_J", measures.elastic},
-      {"gravitational_J", measures.gravitational},
-      {"volume_ratio", measures.volume_ratio},
-      {"momentum", to_json(measures.momentum)},
-      {"angular_momentum", to_json(measures.angular_momentum)},
-      {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports_of(simulation.model, last)}}},
-      {"grab_N", grab_forces(simulation, last)},
-      {"dispatches_per_step", stats.dispatches_per_step},
-      {"kernels", stats.kernels},
-      {"gpu_bytes", stats.gpu_bytes},
-      {"gpu_buffers", stats.gpu_buffers}};
+  const std::vector<Eigen::Vector3d> contact = simulation.contact_forces();
+  const reference::Measures measures = reference::measure(simulation.model, last, contact);
+  Json json{{"version", FASCIA_VERSION},
+            {"renderer", stats.renderer},
+            {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
+            {"acceleration", simulation.uses_reference() ? "none" : name_of(simulation.scene.solver.acceleration)},
+            {"integrator", name_of(simulation.scene.solver.integrator)},
+            {"vertices", simulation.model.rest_positions.size()},
+            {"tets", simulation.model.tets.size()},
+            {"steps", stats.steps},
+            {"steps_asleep", simulation.steps_asleep()},
+            {"time_step", simulation.scene.solver.time_step},
+            {"substeps", simulation.scene.solver.substeps},
+            {"time", last.time},
+            {"iterations_per_step", simulation.mean_iterations() * simulation.scene.solver.substeps},
+            {"wall_s", stats.wall_s},
+            {"ms_per_step", to_json(percentiles(stats.step_ms))},
+            {"solve_ms_per_step", to_json(percentiles(stats.solve_ms))},
+            {"residual", stats.residual},
+            {"nan", !is_finite(last)},
+            {"inverted", measures.inverted},
+            {"J", {measures.min_det_f, measures.max_det_f}},
+            {"max_von_mises_Pa", measures.max_von_mises},
+            {"kinetic_J", measures.kinetic},
+            {"elastic_J", measures.elastic},
+            {"gravitational_J", measures.gravitational},
+            {"volume_ratio", measures.volume_ratio},
+            {"momentum", to_json(measures.momentum)},
+            {"angular_momentum", to_json(measures.angular_momentum)},
+            {"reaction_N",
+             {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports_of(simulation.model, last, contact)}}},
+            {"grab_N", grab_forces(simulation, last)},
+            {"dispatches_per_step", stats.dispatches_per_step},
+            {"kernels", stats.kernels},
+            {"gpu_bytes", stats.gpu_bytes},
+            {"gpu_buffers", stats.gpu_buffers}};
   if (const GpuSolver* gpu = simulation.gpu(); gpu && !simulation.uses_reference()) {
     json["tets_solved"] = gpu->buffers().tet_count;
     json["share_solved"] = gpu->share_solved();

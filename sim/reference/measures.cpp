@@ -104,7 +104,7 @@ TetShape shape_of(const Model& model, const LinearTet& rest, const State& state,
 
 }  // namespace
 
-Measures measure(const Model& model, const State& state) {
+Measures measure(const Model& model, const State& state, const std::vector<Vector3d>& contact) {
   Measures result;
   double strain2 = 0, volume = 0, growth = 0;
   const std::vector<double> mass = consistent_masses(model);
@@ -127,6 +127,7 @@ Measures measure(const Model& model, const State& state) {
     add_motion(moving.own[v], model.rest_positions[v] + state.displacement[v], state.velocity[v]);
     result.gravitational -= mass[v] * model.gravity.dot(state.displacement[v]);
     if (held[v]) result.fixed_reaction -= mass[v] * model.gravity;
+    if (held[v] && !contact.empty()) result.fixed_reaction -= contact[v];
   }
   pass_on_inertia(model, state, moving.centroid,
                   [&](std::uint32_t, const Vector3d& force) { result.fixed_reaction += force; });
@@ -154,7 +155,7 @@ Measures measure(const Model& model, const State& state) {
   return result;
 }
 
-std::vector<Support> support_forces(const Model& model, const State& state) {
+std::vector<Support> support_forces(const Model& model, const State& state, const std::vector<Vector3d>& contact) {
   constexpr std::size_t kFree = static_cast<std::size_t>(-1);
   std::vector<Support> supports;
   std::vector<std::size_t> support_of(model.rest_positions.size(), kFree);
@@ -176,7 +177,10 @@ std::vector<Support> support_forces(const Model& model, const State& state) {
   if (supports.empty()) return supports;
   const std::vector<double> mass = consistent_masses(model);
   for (std::size_t v = 0; v < mass.size(); ++v)
-    if (support_of[v] != kFree) supports[support_of[v]].force -= mass[v] * model.gravity;
+    if (support_of[v] != kFree) {
+      supports[support_of[v]].force -= mass[v] * model.gravity;
+      if (!contact.empty()) supports[support_of[v]].force -= contact[v];
+    }
   if (!state.acceleration.empty())
     pass_on_inertia(model, state, moving_masses(model).centroid,
                     [&](std::uint32_t v, const Vector3d& force) { supports[support_of[v]].force += force; });

@@ -37,14 +37,16 @@ struct Measures {
   Eigen::Vector3d angular_momentum{0, 0, 0};  // [kg m^2/s] about the origin
   /// Force of the supports on the body [N]: sum over constrained vertices, fixed or prescribed, of the elastic energy's
   /// gradient minus the weight, and what they pass on to centroids of quadratic tets that free vertices move, too, by
-  /// State::acceleration. Their own inertia and viscous forces are not included.
+  /// State::acceleration, and without what contact presses on these vertices. Their own inertia and viscous forces are
+  /// not included.
   Eigen::Vector3d fixed_reaction{0, 0, 0};
   double min_det_f = 1, max_det_f = 1;       // range of J over tets: of quadratic ones at their points and corners
   double max_strain = 0, max_von_mises = 0;  // Green strain (Frobenius) and Cauchy stress [Pa], largest at a point
   double rms_strain = 0;                     // root of the mean of |Green strain|^2 (Frobenius) over the volume
   int inverted = 0;                          // tets with J <= 0 somewhere there
 };
-Measures measure(const Model& model, const State& state);
+/// `contact`: [vertex] forces of contact on the tissue [N], or empty.
+Measures measure(const Model& model, const State& state, const std::vector<Eigen::Vector3d>& contact = {});
 
 /// What constrains a body: all of its fixed vertices, or those of one of its prescribed motions.
 struct Support {
@@ -52,8 +54,9 @@ struct Support {
   std::optional<std::size_t> motion;  // index among the body's motions, from 0; none: the fixed vertices
   Eigen::Vector3d force{0, 0, 0};     // on the body [N]; all supports add up to Measures::fixed_reaction
 };
-/// Body by body, the fixed vertices first; supports without vertices are left out.
-std::vector<Support> support_forces(const Model& model, const State& state);
+/// Body by body, the fixed vertices first; supports without vertices are left out. `contact` as of measure().
+std::vector<Support> support_forces(const Model& model, const State& state,
+                                    const std::vector<Eigen::Vector3d>& contact = {});
 
 /// In file_mesh order; tets excluded from the simulation have zeros and J = 1. Values of quadratic tets are those at
 /// the centroid, their stress has the averaged change of volume.

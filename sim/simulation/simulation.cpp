@@ -163,6 +163,7 @@ void Simulation::leave_equilibrium() {
 void Simulation::correct_contact(std::optional<Diagnostics>& of_gpu) const {
   if (!equilibrium_contact_ || !of_gpu) return;
   of_gpu->set_loads(equilibrium_contact_->loads, equilibrium_contact_->loads);
+  of_gpu->reaction = reference::measure(model, state(), equilibrium_contact_->vertices).fixed_reaction;
 }
 
 std::vector<Eigen::Vector3d> Simulation::contact_forces() const {

@@ -82,7 +82,9 @@ class Simulation {
   /// All current springs, those of the scene's grabs after the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
   /// Whether grabs or instruments of the scene will still begin, move or end, or instruments moved in the last step.
-  bool awaits_inputs() const { return tools_moved_ || time() < std::max(model.end_of_grabs(), model.end_of_tools()); }
+  bool awaits_inputs() const {
+    return replaying() || tools_moved_ || time() < std::max(model.end_of_grabs(), model.end_of_tools());
+  }
 
   /// A vertex that diverged: it is not finite or left the scene. The GPU is queried every few steps without waiting, so
   /// the result may be some steps old. None while a replay will restore an earlier state.

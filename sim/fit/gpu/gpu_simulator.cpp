@@ -22,6 +22,7 @@ std::optional<Course> equilibria(Simulation& simulation, const Schedule& schedul
     require_equilibrium(simulation, report);
     moment.state = simulation.state();
     moment.loads = tool_loads(simulation);
+    moment.contact = simulation.contact_forces();
   }
   return course;
 }
@@ -32,7 +33,8 @@ std::optional<Course> motion(Simulation& simulation, const Schedule& schedule, c
   const auto observe = [&](long number) {
     if (!steps.numbers.contains(number)) return true;
     course.moments.push_back({simulation.time(), false, simulation.state(),
-                              number == 0 ? std::vector<GrabSpring>() : simulation.springs(), tool_loads(simulation)});
+                              number == 0 ? std::vector<GrabSpring>() : simulation.springs(), tool_loads(simulation),
+                              simulation.contact_forces()});
     return is_finite(course.moments.back().state);
   };
   if (!observe(0)) return std::nullopt;

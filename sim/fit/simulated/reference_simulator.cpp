@@ -60,6 +60,7 @@ std::optional<Course> ReferenceSimulator::equilibria(const Scene& scene, const M
     if (!is_solved(solver.solve_static(state, 0, until)) || !is_finite(state)) return std::nullopt;
     moment.state = state;
     moment.loads = solver.tool_loads();
+    moment.contact = solver.contact_forces();
   }
   return course;
 }
@@ -73,7 +74,8 @@ std::optional<Course> ReferenceSimulator::motion(const Scene& scene, const Model
   Course course;
   const auto observe = [&](long number, double time, std::vector<GrabSpring> springs) {
     if (steps.numbers.contains(number))
-      course.moments.push_back({time, false, state, std::move(springs), solver.tool_loads(), course.stages.size()});
+      course.moments.push_back(
+          {time, false, state, std::move(springs), solver.tool_loads(), solver.contact_forces(), course.stages.size()});
   };
   observe(0, 0, {});
   course.differentiable = is_worth_keeping(model, scene.solver, steps.count);

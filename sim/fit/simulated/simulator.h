@@ -19,7 +19,8 @@ struct Moment {
   State state;
   std::vector<GrabSpring> springs = {};
   std::vector<ToolLoad> loads = {};
-  std::size_t stages = 0;  // of a motion, that lead to it
+  std::vector<Eigen::Vector3d> contact = {};  // [vertex] its forces on the tissue [N]
+  std::size_t stages = 0;                     // of a motion, that lead to it
 };
 
 /// A stage of a time integrator as it was simulated.

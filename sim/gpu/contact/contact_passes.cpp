@@ -253,6 +253,7 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
   Passes passes;
   gl::ComputePass::Bindings bindings{{"step", &buffers.step},
                                      {"contact_force", &forces_},
+                                     {"rest_position", &buffers.rest_position},
                                      {"slot_begin", &buffers.slot_begin},
                                      {"correction", &buffers.correction}};
   bind_entries(bindings);
@@ -265,13 +266,16 @@ gl::ComputePass ContactTerm::load_pass(gl::ProgramCache& programs) const {
   gl::Defines defines = defines_of_shapes({});
   defines.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
   return {programs.compute("sim/contact/contact_load.comp", defines),
-          {{"contact_pieces", &pieces_},
+          {{"step", &buffers_.step},
+           {"contact_pieces", &pieces_},
            {"contact_vertices", &vertices_},
            {"contact_weights", &weights_},
            {"contact_rest", &rest_},
            {"displacement", &buffers_.displacement},
            {"contact_row", &rows_},
            {"contact_memory", &buffers_.contact_memory},
+           {"contact_before", &buffers_.contact_before},
+           {"rest_position", &buffers_.rest_position},
            {"contact_loads", &loads_}},
           kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size())};
 }

@@ -67,12 +67,16 @@ ContactLoads ContactTerm::sum_of(const std::vector<vec4>& loads, const std::vect
       load.force += Vector3d(force.x, force.y, force.z);
       load.torque += Vector3d(torque.x, torque.y, torque.z);
       load.normal += sums[2].x;
+      result.on_held += Vector3d(sums[2].y, sums[2].z, sums[2].w);
       load.points += static_cast<std::uint32_t>(force.w);
       load.deepest = std::max<double>(load.deepest, torque.w);
     }
+  const std::vector<char> held = pairs.empty() ? std::vector<char>() : model_.held();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const Vector3d force(forces[k].x, forces[k].y, forces[k].z);
     const double pressing = forces[k].w;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      if (held[pairs[k].vertices[corner]]) result.on_held += pairs[k].weights[corner] * force;
     if (pressing > 0 || !force.isZero(0))
       add_load(result.pairs, pairs[k], force, pressing, (pressing - pairs[k].before) / pairs[k].stiffness);
   }

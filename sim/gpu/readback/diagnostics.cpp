@@ -12,8 +12,10 @@ constexpr std::uint32_t kMostPartials = 4096;
 
 }  // namespace
 
-double Diagnostics::imbalance(const Eigen::Vector3d& weight) const {
-  const double scale = std::max({reaction.norm(), grab_force.norm(), tool_force.norm(), weight.norm(), inertia.norm()});
+double Diagnostics::imbalance(const Eigen::Vector3d& weight, double of_support) const {
+  double scale = std::max({of_support, reaction.norm(), tool_force.norm(), weight.norm(), inertia.norm()});
+  for (const GrabForce& grab : grab_forces) scale = std::max(scale, grab.force.norm());
+  for (const ToolLoad& load : tool_loads) scale = std::max(scale, load.force.norm());
   return scale > force_rounding ? (reaction + grab_force + tool_force + weight - inertia).norm() / scale : 0;
 }
 
@@ -176,6 +178,7 @@ Diagnostics DiagnosticsReader::sum_up(const Pending& pending) const {
     pending.staging.download(pending.staging.bytes() - behind, behind, pairs.data());
     const ContactLoads at_end = pending.contact->sum_of(loads, pending.pairs, pairs);
     d.set_loads(pending.earlier.mean(at_end), at_end);
+    d.reaction -= at_end.on_held;
   }
   double inverted = 0, growth = 0, residual = 0, inertia = 0, load = 0, motion = 0, grab = 0, speed2 = 0, strain2 = 0;
   d.min_det_f = leaves_out_ ? 1 : 3.4e38;

@@ -27,10 +27,11 @@ struct Diagnostics {
   Eigen::Vector3d grab_force{0, 0, 0};                           // of all grabs on the body [N]
   std::vector<GrabForce> grab_forces;                            // of each of them
   Eigen::Vector3d inertia{0, 0, 0};                              // mass times acceleration, of free vertices [N]
-  /// reaction + grab_force + tool_force + `weight` - inertia over the largest of them [-]: zero where the last
-  /// step is solved, since internal forces cancel. The weight is that of the whole scene [N]. 0 where there are no
-  /// forces beyond rounding.
-  double imbalance(const Eigen::Vector3d& weight) const;
+  /// reaction + grab_force + tool_force + `weight` - inertia over the largest of them, of a single grab or tool, or
+  /// `of_support`, the largest force of a single support [N], those of several may cancel [-]: zero where the last step
+  /// is solved, since internal forces cancel. The weight is that of the whole scene [N]. 0 where there are no forces
+  /// beyond rounding.
+  double imbalance(const Eigen::Vector3d& weight, double of_support = 0) const;
   double force_rounding = 0;  // [N] upper bound of the inertia's rounding in float32
   double min_det_f = 1, max_det_f = 1, max_strain = 0, max_von_mises = 0, max_speed = 0;  // [-], [-], [-], [Pa], [m/s]
   double rms_strain = 0;  // root of the mean of |strain|^2 (Frobenius) over the volume

@@ -48,10 +48,13 @@ TEST_CASE("a window with a limit of steps makes exactly that number") {
 TEST_CASE("a replay gets no steps beyond its end, and follows the user's pace") {
   SteppingDesk desk;
   Simulation& simulation = desk.stage.simulation();
+  REQUIRE_FALSE(simulation.awaits_inputs());
   simulation.play({simulation.scene, std::nullopt, {}, 2});
+  CHECK(simulation.awaits_inputs());  // so that it goes on where tissue falls asleep in it
   desk.stage.state.statistics.step_ms = 0.01;
   desk.stage.state.replay_speed = 4;
   desk.stepping.advance(3 * desk.time_step(), false);
   CHECK(desk.stepping.stats().steps == 2);
   CHECK_FALSE(simulation.replaying());
+  CHECK_FALSE(simulation.awaits_inputs());
 }
