@@ -21,6 +21,15 @@ inline SolverSettings two_level(int iterations = 10) {
   return settings;
 }
 
+/// Of tissue that does not fall asleep.
+inline SolverSettings awake(Integrator integrator, double steps_per_second = 60) {
+  SolverSettings settings = two_level();
+  settings.integrator = integrator;
+  settings.time_step = 1 / steps_per_second;
+  settings.rest_speed = 0;
+  return settings;
+}
+
 inline Material soft_tissue(double young_modulus, double damping = 0) {
   Material material;
   material.young_modulus = young_modulus;

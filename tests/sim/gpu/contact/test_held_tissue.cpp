@@ -13,13 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-SolverSettings of(Integrator integrator) {
-  SolverSettings settings = test::two_level();
-  settings.integrator = integrator;
-  settings.rest_speed = 0;
-  return settings;
-}
-
 // All supports together.
 Vector3d sum_of(const std::vector<reference::Support>& supports) {
   Vector3d sum(0, 0, 0);
@@ -40,8 +33,8 @@ TEST_CASE("supports of a body that another one lies on bear the weight of both",
   model.gravity = {0, -9.81, 0};
   model.contact.friction = 0.5;
   const Vector3d weight = 1000 * (0.1 * 0.06 * 0.1 + 0.06 * 0.06 * 0.06) * model.gravity;
-  GpuSolver solver(gpu.programs, model, of(integrator));
-  reference::NewtonSolver newton(model, of(integrator));
+  GpuSolver solver(gpu.programs, model, test::awake(integrator));
+  reference::NewtonSolver newton(model, test::awake(integrator));
   State exact = initial_state(model);
   for (int i = 0; i < 120; ++i) solver.step();
   for (int i = 0; i < 60; ++i) newton.step(exact);
@@ -69,7 +62,7 @@ TEST_CASE("supports bear what a tool presses on faces that they hold in part", "
   const double top = kSize + kHalf;
   model.tools = {test::tool("punch", BoxShape{{0, 0, 0}, {kHalf, kHalf, kHalf}, 0.005}, 0.3,
                             {{0, {0.04, top, 0.05}, {0, 0, 0}}, {0.3, {0.04, top - kDepth, 0.05}, {0, 0, 0}}})};
-  GpuSolver solver(gpu.programs, model, of(Integrator::implicit_euler));
+  GpuSolver solver(gpu.programs, model, test::awake(Integrator::implicit_euler));
   for (int i = 0; i < 90; ++i) solver.step();
   solver.request_diagnostics();
   const Diagnostics d = *solver.take_diagnostics(true);

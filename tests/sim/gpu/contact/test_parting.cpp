@@ -11,18 +11,8 @@
 #include "tests/support/touching_bodies.h"
 
 namespace fascia {
-namespace {
 
 using Eigen::Vector3d;
-
-SolverSettings awake(double time_step) {
-  SolverSettings settings = test::two_level();
-  settings.time_step = time_step;
-  settings.rest_speed = 0;
-  return settings;
-}
-
-}  // namespace
 
 // They had 28 times their energy: parted by a quarter of the skin in each step, they left each other at 1 m/s.
 TEST_CASE("bodies that begin within the skin and close slowly gain no energy in short steps", "[gpu][contact]") {
@@ -40,7 +30,7 @@ TEST_CASE("bodies that begin within the skin and close slowly gain no energy in 
   };
   const double skin = PairSearch(at_gap(1)).skin();
   const Model model = at_gap(share * skin);
-  GpuSolver solver(gpu.programs, model, awake(1.0 / 960));
+  GpuSolver solver(gpu.programs, model, test::awake(Integrator::implicit_euler, 960));
   const std::vector<double> masses = consistent_masses(model);
   const auto kinetic = [&] {
     const State state = solver.download();
@@ -72,7 +62,7 @@ TEST_CASE("a small block that is set on tissue without a gap slides down a steep
   const double slope = std::atan(kSteep * kFriction);
   model.gravity = 9.81 * Vector3d(std::sin(slope), -std::cos(slope), 0);
   model.contact.friction = kFriction;
-  GpuSolver solver(gpu.programs, model, awake(1.0 / 240));
+  GpuSolver solver(gpu.programs, model, test::awake(Integrator::implicit_euler, 240));
   constexpr int kSteps = 48;
   for (int i = 0; i < kSteps; ++i) solver.step();
   const double way = test::mean_displacement_of_second(model, solver.download()).x();

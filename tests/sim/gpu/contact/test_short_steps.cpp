@@ -36,14 +36,6 @@ double energy_of(const Model& model, const State& state) {
   return m.kinetic + m.elastic + m.gravitational;
 }
 
-SolverSettings of(Integrator integrator, double steps_per_second) {
-  SolverSettings settings = test::two_level();
-  settings.integrator = integrator;
-  settings.time_step = 1 / steps_per_second;
-  settings.rest_speed = 0;
-  return settings;
-}
-
 }  // namespace
 
 TEST_CASE("a block on the ground gains no energy in steps of any length", "[gpu][contact]") {
@@ -51,7 +43,7 @@ TEST_CASE("a block on the ground gains no energy in steps of any length", "[gpu]
   const auto [integrator, steps_per_second] = GENERATE(
       table<Integrator, double>({{Integrator::sdirk2, 480}, {Integrator::sdirk2, 1920}, {Integrator::bdf2, 1920}}));
   const Model model = falling_block(on_tissue);
-  const SolverSettings settings = of(integrator, steps_per_second);
+  const SolverSettings settings = test::awake(integrator, steps_per_second);
   const double weight = 9.81, fall = 0.003;
   CAPTURE(on_tissue, name_of(integrator), steps_per_second);
   test::Gpu gpu;
@@ -86,10 +78,7 @@ TEST_CASE("a damped block on the ground presses it with its weight in short step
   Model model = test::quadratic(test::cube(size, 3, test::soft_tissue(young_modulus, damping)));
   model.materials[0].poisson_ratio = 0.45;
   model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.5)};
-  SolverSettings settings = test::two_level();
-  settings.integrator = Integrator::sdirk2;
-  settings.time_step = 1.0 / rate;
-  settings.rest_speed = 0;
+  const SolverSettings settings = test::awake(Integrator::sdirk2, rate);
   const double weight = size * size * size * model.materials[0].density * 9.81;
   GpuSolver solver(gpu.programs, model, settings);
   reference::NewtonSolver newton(model, settings);
@@ -121,10 +110,8 @@ TEST_CASE("plates squeeze a block evenly in short steps, with the force of the c
   model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0),
                  test::tool("plate", BoxShape{{0, 0, 0}, {0.2, height / 2, 0.2}, 0}, 0,
                             {{0, {0.05, kSize + height / 2, 0.05}, {0, 0, 0}}, {0.5, {0.05, top, 0.05}, {0, 0, 0}}})};
-  SolverSettings settings = test::two_level();
-  settings.integrator = integrator;
+  SolverSettings settings = test::awake(integrator);
   settings.substeps = substeps;
-  settings.rest_speed = 0;
   GpuSolver solver(gpu.programs, model, settings);
   for (int i = 0; i < 120; ++i) solver.step();
   solver.request_diagnostics();
@@ -143,7 +130,7 @@ TEST_CASE("a block that bounces as it slides goes as far with SDIRK2 as with BDF
   Model model = test::moved(test::cube(0.1, 3, test::soft_tissue(5e4, 0.01)), {0, 0.002, 0});
   model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.3)};
   const auto ways = [&](Integrator integrator) {
-    SolverSettings settings = of(integrator, 240);
+    const SolverSettings settings = test::awake(integrator, 240);
     GpuSolver solver(gpu.programs, model, settings);
     reference::NewtonSolver newton(model, settings);
     State exact = initial_state(model);
@@ -174,7 +161,7 @@ TEST_CASE("friction holds a block on a slope in short steps", "[gpu][contact]") 
   Model model = test::cube(0.1, 3, test::soft_tissue(2e4, 0.02));
   model.gravity = {0.15 * 9.81, -9.81, 0};
   model.tools = {test::tool("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}}, 0.3)};
-  GpuSolver solver(gpu.programs, model, of(Integrator::implicit_euler, 1920));
+  GpuSolver solver(gpu.programs, model, test::awake(Integrator::implicit_euler, 1920));
   const auto middle = [&] {
     Vector3d sum(0, 0, 0);
     const State state = solver.download();
