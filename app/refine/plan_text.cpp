@@ -13,9 +13,10 @@ namespace {
 std::string percent(double share) { return number(100 * share) + " %"; }
 
 std::string choices(const Proposal& p) {
-  return std::to_string(std::lround(p.tets)) + ' ' + name_of(p.elements) + " tets (edges " + number(1 / p.refinement) +
-         " times as long), " + name_of(p.integrator) + ", " + plural(static_cast<std::size_t>(p.substeps), "substep") +
-         ", " + plural(static_cast<std::size_t>(p.iterations), "iteration");
+  return std::to_string(std::lround(p.tets)) + ' ' + name_of(p.elements) + " tets (edges " +
+         (p.refinement == 1 ? "as they are" : number(1 / p.refinement) + " times as long") + "), " +
+         name_of(p.integrator) + ", " + plural(static_cast<std::size_t>(p.substeps), "substep") + ", " +
+         plural(static_cast<std::size_t>(p.iterations), "iteration");
 }
 
 std::string errors(const Proposal& p) {

@@ -30,7 +30,7 @@ TEST_CASE("a choice within reach is printed with its options") {
   plan.within = measured_choice();
   CHECK(plan_text(plan, beam(), {0.01, 1}) ==
         "for 1 % in 1 ms a step:\n"
-        "  192 quadratic tets (edges 1 times as long), bdf2, 8 substeps, 30 iterations\n"
+        "  192 quadratic tets (edges as they are), bdf2, 8 substeps, 30 iterations\n"
         "  error 0.5 %: mesh 0.2 %, time 0.3 %, solver 0 %; 0.8 ms a step\n"
         "  --set elements=quadratic --set solver.integrator=bdf2 --set solver.substeps=8 --set solver.iterations=30\n");
 }
@@ -41,7 +41,7 @@ TEST_CASE("an error that no choice has is said to be so, with the least one and 
   CHECK_THAT(plan_text(plan, beam(), {1e-4, 1, 512}),
              Catch::StartsWith("not within reach: 0.01 % in 1 ms a step\n"
                                "for the error: no choice; the least error found is 0.5 %: mesh 0.2 %, time 0.3 %, "
-                               "solver 0 %; most of it in time; with 192 quadratic tets (edges 1 times as long), bdf2, "
+                               "solver 0 %; most of it in time; with 192 quadratic tets (edges as they are), bdf2, "
                                "8 substeps, 30 iterations, 0.8 ms a step; the search ends at 8 substeps, 30 iterations "
                                "and 512 times the tets\n"
                                "for the time:\n  192 quadratic tets"));
@@ -59,6 +59,6 @@ TEST_CASE("a time that no choice has is said to be so, and that no choice could 
   CHECK_THAT(plan_text(plan, beam(), {0.01, 0.1}),
              Catch::Contains("for the error:\n  192 quadratic tets") &&
                  Catch::EndsWith("for the time: no choice; the fastest takes 0.8 ms a step, with 192 quadratic tets "
-                                 "(edges 1 times as long), bdf2, 8 substeps, 30 iterations and an error of 0.5 %\n"));
+                                 "(edges as they are), bdf2, 8 substeps, 30 iterations and an error of 0.5 %\n"));
   CHECK(plan_text({}, beam(), {0.01, 0.1}) == "not within reach: 1 % in 0.1 ms a step\nno choice could be run\n");
 }
