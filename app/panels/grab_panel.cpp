@@ -60,8 +60,8 @@ void balance_rows(const Simulation& simulation, const SceneFacts& facts, const D
   ui::fact(
       "Balance", text,
       "Supports + weight + grabs + contact - mass times acceleration, over the largest of them. Inside the body all "
-      "forces "
-      "cancel, so\nnothing remains of a solved step. The remainder shows how far the iterations are from that. More "
+      "forces cancel, so\nnothing remains of a solved step. The remainder shows how far the iterations are from that. "
+      "More "
       "of them help.\nSupports  " +
           in_newtons(d.reaction) + "\nWeight  " + in_newtons(weight) + "\nGrabs  " + in_newtons(d.grab_force) +
           "\nMass times acceleration  " + in_newtons(d.inertia),

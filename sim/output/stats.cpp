@@ -122,6 +122,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
                  const State& last) {
   const std::vector<Eigen::Vector3d> contact = simulation.contact_forces();
   const reference::Measures measures = reference::measure(simulation.model, last, contact);
+  const Json supports = supports_of(simulation.model, last, contact);
   Json json{{"version", FASCIA_VERSION},
             {"renderer", stats.renderer},
             {"method", simulation.uses_reference() ? "newton" : name_of(simulation.scene.solver.method)},
@@ -149,8 +150,7 @@ void write_stats(const std::filesystem::path& path, const RunStats& stats, const
             {"volume_ratio", measures.volume_ratio},
             {"momentum", to_json(measures.momentum)},
             {"angular_momentum", to_json(measures.angular_momentum)},
-            {"reaction_N",
-             {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports_of(simulation.model, last, contact)}}},
+            {"reaction_N", {{"fixed", to_json(measures.fixed_reaction)}, {"supports", supports}}},
             {"grab_N", grab_forces(simulation, last)},
             {"dispatches_per_step", stats.dispatches_per_step},
             {"kernels", stats.kernels},

@@ -81,7 +81,8 @@ class Simulation {
   const std::vector<GrabSpring>& asked_springs() const { return other_springs_; }  // of the last set_grab()
   /// All current springs, those of the scene's grabs after the others.
   const std::vector<GrabSpring>& springs() const { return springs_; }
-  /// Whether grabs or instruments of the scene will still begin, move or end, or instruments moved in the last step.
+  /// Whether grabs or instruments of the scene will still begin, move or end, instruments moved in the last step, or a
+  /// replay plays, whose inputs may wake what sleeps.
   bool awaits_inputs() const {
     return replaying() || tools_moved_ || time() < std::max(model.end_of_grabs(), model.end_of_tools());
   }

@@ -1,7 +1,6 @@
 // Force, torque and normal forces of every piece on the tissue, and the part of the force on held vertices: LOAD_LANES
 // partial sums for each, which the CPU adds. After contact_finish.
 #include "common/io.glsl"
-#include "common/step.glsl"
 COMPUTE_1D
 #include "sim/contact/piece.glsl"
 #include "sim/contact/point.glsl"
@@ -12,6 +11,7 @@ INPUT_VEC4(ContactMemory, contact_memory)   // [rows] w what is kept of the norm
 INPUT_VEC4(ContactBefore, contact_before)   // [rows] the same at the start of the stage
 INPUT_VEC4(RestPosition, rest_position)     // [vertex_count] w inverse mass, 0 if held
 OUTPUT(vec4, ContactLoads, contact_loads)   // [3 * LOAD_LANES * pieces] xyz force, w points; xyz torque, w largest depth; x normal forces, yzw force on held vertices
+uniform uint stage_share;                    // bits of the share of the stage that has ended (IntegratorStage::share)
 
 void main() {
   ITEM_OR_RETURN(i)
@@ -19,6 +19,7 @@ void main() {
   vec3 origin = FETCH(contact_pieces, PIECE_ROWS * piece + 10u).xyz;
   vec4 force = vec4(0.0), torque = vec4(0.0);
   vec4 others = vec4(0.0);
+  float share = uintBitsToFloat(stage_share);
   for (uint p = lane; p < points; p += uint(LOAD_LANES)) {
     vec4 row = FETCH(contact_row, first + p);
     if (row.w == 0.0 && dot(row.xyz, row.xyz) == 0.0) continue;
@@ -29,7 +30,7 @@ void main() {
     torque.xyz += cross(x - origin, row.xyz);
     torque.w = max(torque.w, row.w);
     float kept = FETCH(contact_memory, first + p).w, before = FETCH(contact_before, first + p).w;
-    others.x += max(0.0, (kept - (1.0 - STAGE_SHARE) * before) / STAGE_SHARE);  // of which kept_force() is the mean
+    others.x += max(0.0, (kept - (1.0 - share) * before) / share);  // of which kept_force() is the mean
     for (uint k = 0u; k < 3u; ++k)
       if (FETCH(rest_position, vertices[k]).w == 0.0) others.yzw += weights[k] * row.xyz;
   }

@@ -265,19 +265,20 @@ EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBu
 gl::ComputePass ContactTerm::load_pass(gl::ProgramCache& programs) const {
   gl::Defines defines = defines_of_shapes({});
   defines.emplace_back("LOAD_LANES", std::to_string(kLoadLanes));
-  return {programs.compute("sim/contact/contact_load.comp", defines),
-          {{"step", &buffers_.step},
-           {"contact_pieces", &pieces_},
-           {"contact_vertices", &vertices_},
-           {"contact_weights", &weights_},
-           {"contact_rest", &rest_},
-           {"displacement", &buffers_.displacement},
-           {"contact_row", &rows_},
-           {"contact_memory", &buffers_.contact_memory},
-           {"contact_before", &buffers_.contact_before},
-           {"rest_position", &buffers_.rest_position},
-           {"contact_loads", &loads_}},
-          kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size())};
+  gl::ComputePass pass(programs.compute("sim/contact/contact_load.comp", defines),
+                       {{"contact_pieces", &pieces_},
+                        {"contact_vertices", &vertices_},
+                        {"contact_weights", &weights_},
+                        {"contact_rest", &rest_},
+                        {"displacement", &buffers_.displacement},
+                        {"contact_row", &rows_},
+                        {"contact_memory", &buffers_.contact_memory},
+                        {"contact_before", &buffers_.contact_before},
+                        {"rest_position", &buffers_.rest_position},
+                        {"contact_loads", &loads_}},
+                       kLoadLanes * static_cast<std::uint32_t>(surface_.pieces.size()));
+  pass.follow("stage_share", share_bits_);
+  return pass;
 }
 
 }  // namespace fascia

@@ -230,6 +230,7 @@ void ContactTerm::begin_stage(const ToolMotion& motion, double time, const Integ
   if (!acts()) return;
   if (share_ > 0) keep_loads();
   share_ = stage.share / substeps_;
+  share_bits_ = std::bit_cast<std::uint32_t>(static_cast<float>(stage.share));
   read_list_.clear();
   if (std::exchange(length_, stage.length) != stage.length) upload_points(model_);
   if (!surface_.empty()) place_pieces(motion);

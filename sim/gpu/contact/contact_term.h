@@ -3,6 +3,7 @@
 // of the others, whose length the GPU knows alone. Pairs of the tissue with itself are found by the CPU, which reads
 // the state at the start of a stage for that, and are at the head of the same list.
 #pragma once
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -157,6 +158,7 @@ class ContactTerm : public EnergyTerm {
   double length_ = 0;              // of the stage [s]
   int substeps_ = 1;               // of the step
   double share_ = 0;               // of the stage in the loads of the step; 0 before its first one
+  std::uint32_t share_bits_ = std::bit_cast<std::uint32_t>(1.f);  // of IntegratorStage::share, for contact_load.comp
   StepLoads earlier_loads_;
   std::optional<gl::ComputePass> load_pass_;
   bool has_moved_rows_ = false;            // of move_bodies() in moved_rows_

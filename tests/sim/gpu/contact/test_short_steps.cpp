@@ -140,6 +140,10 @@ TEST_CASE("a block that bounces as it slides goes as far with SDIRK2 as with BDF
     for (int i = 0; i < 120; ++i) {
       solver.step();
       newton.step(exact);
+      solver.request_diagnostics();
+      const ToolLoad load = solver.take_diagnostics(true)->tool_loads[0];  // over all stages
+      CAPTURE(name_of(integrator), i, load.normal, load.force.y());
+      CHECK(load.normal == Approx(load.force.y()).epsilon(1e-3).margin(1e-3));  // of 9.81 N
     }
     const State end = solver.download();
     double way = 0, exact_way = 0;
