@@ -11,6 +11,7 @@
 // In contact, with OBJECTIVES_BEFORE, a step may raise the objective as long as that stays below the highest of the last
 // three (Grippo, Lampariello, Lucidi 1986): what begins to press is not in the curvature, so that many steps raise it a
 // little, and the next one, which knows what presses, finds more than a part of them would.
+// With PRESSING_ROWS the model has the rows of contact in it where they press (pressing_step.glsl).
 // For kernels that have declared `dot_partials`: [3 * partials] of vertices, then [curvature_count] of tets.
 #include "common/finite.glsl"
 #include "sim/two_level/slice_sum.glsl"
@@ -41,6 +42,43 @@ INOUT(float, SubspaceState, subspace_state)
     v[q] = s * vp + c * vq;                                               \
   }
 
+#if !FINAL
+// The factors of z_f, z_c and p are `scale` times the unknowns of the model, which has a unit diagonal.
+struct SpanModel {
+  mat3 values, vectors;  // eigenvalues on the diagonal; in columns
+  vec3 slope, scale;
+};
+
+// From the second derivatives along the directions, those of z_f and p as fp.
+SpanModel model_of(float ff, float fc, float cc, float fp, float cp, float pp, vec3 slope) {
+  vec3 diagonal = abs(vec3(ff, cc, remembers != 0u ? pp : 0.0));
+  vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
+                    diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);
+  mat3 a = mat3(vec3(ff * scale.x * scale.x, fc * scale.x * scale.y, fp * scale.x * scale.z),
+                vec3(fc * scale.x * scale.y, cc * scale.y * scale.y, cp * scale.y * scale.z),
+                vec3(fp * scale.x * scale.z, cp * scale.y * scale.z, pp * scale.z * scale.z));
+  mat3 v = mat3(1.0);
+  for (int sweep = 0; sweep < 6; ++sweep) {
+    ROTATE(0, 1, 2)
+    ROTATE(0, 2, 1)
+    ROTATE(1, 2, 0)
+  }
+  return SpanModel(a, v, slope * scale, scale);
+}
+
+float eigenvalue(SpanModel model, int k) { return max(abs(model.values[k][k]), EIGENVALUE_FLOOR); }
+
+vec3 minimum_of(SpanModel model) {
+  vec3 x = vec3(0.0);
+  for (int k = 0; k < 3; ++k) x += dot(model.vectors[k], -model.slope) / eigenvalue(model, k) * model.vectors[k];
+  return x;
+}
+
+#ifdef PRESSING_ROWS
+#include "sim/two_level/pressing_step.glsl"
+#endif
+#endif
+
 // Called by all invocations of a work group.
 void solve_subspace_step(uint lane) {
   for (uint slice = lane; slice < 4u * SLICES; slice += uint(GROUP_SIZE)) {
@@ -52,67 +90,84 @@ void solve_subspace_step(uint lane) {
 #endif
     sum_slice(slice, 4u, row * partials, count);
   }
-  barrier();
-  if (lane != 0u) return;
-  vec4 sums[4];
-  for (uint row = 0u; row < 4u; ++row) sums[row] = sum_of_slices(row, 4u);
-
-  vec3 step = vec3(0.0), last = vec3(0.0);
-  float objective = sums[0].w;
-  float before = subspace_state[SUBSPACE_OBJECTIVE], highest = before;
-#if defined OBJECTIVES_BEFORE && !FINAL
-  if (remembers != 0u) highest = max(before, max(subspace_state[SUBSPACE_EARLIER], subspace_state[SUBSPACE_EARLIER + 1u]));
+#ifdef PRESSING_ROWS
+  sum_rows(lane, rows_at_start(lane));
 #endif
-  // Any step from a start with an overflowing objective is accepted; an empty step cannot raise the objective, whatever
-  // the rounding.
-  bool accepted = is_finite(objective) &&
-                  (!is_finite(before) || objective <= highest + OBJECTIVE_ROUNDING * (abs(before) + abs(objective)));
+  barrier();
+  vec3 step = vec3(0.0), last = vec3(0.0);
+  bool accepted = false;
+#ifdef PRESSING_ROWS
+  SpanModel model;
+#endif
+  if (lane == 0u) {
+    vec4 sums[4];
+    for (uint row = 0u; row < 4u; ++row) sums[row] = sum_of_slices(row, 4u);
+    float objective = sums[0].w;
+    float before = subspace_state[SUBSPACE_OBJECTIVE], highest = before;
+#if defined OBJECTIVES_BEFORE && !FINAL
+    if (remembers != 0u) highest = max(before, max(subspace_state[SUBSPACE_EARLIER], subspace_state[SUBSPACE_EARLIER + 1u]));
+#endif
+    // Any step from a start with an overflowing objective is accepted; an empty step cannot raise the objective, whatever
+    // the rounding.
+    accepted = is_finite(objective) &&
+               (!is_finite(before) || objective <= highest + OBJECTIVE_ROUNDING * (abs(before) + abs(objective)));
 #if !FINAL
-  if (is_finite(objective) && sums[1].w == 0.0) accepted = true;
+    if (is_finite(objective) && sums[1].w == 0.0) accepted = true;
 #endif
 #if FINAL
-  if (!accepted) step = vec3(0.0, 0.0, -1.0);
+    if (!accepted) step = vec3(0.0, 0.0, -1.0);
 #else
-  if (accepted) {
+    if (accepted) {
 #ifdef OBJECTIVES_BEFORE
-    float earlier = is_finite(before) ? before : objective;
-    subspace_state[SUBSPACE_EARLIER + 1u] = remembers != 0u ? subspace_state[SUBSPACE_EARLIER] : earlier;
-    subspace_state[SUBSPACE_EARLIER] = earlier;
+      float earlier = is_finite(before) ? before : objective;
+      subspace_state[SUBSPACE_EARLIER + 1u] = remembers != 0u ? subspace_state[SUBSPACE_EARLIER] : earlier;
+      subspace_state[SUBSPACE_EARLIER] = earlier;
 #endif
-    subspace_state[SUBSPACE_OBJECTIVE] = objective;
-    vec3 slope = sums[0].xyz;
-    float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
-    // The elastic energy adds to the curvature of the masses; a lower value is rounding in the difference of two
-    // gradients.
-    float fp = sums[2].x, cp = sums[2].y, pp = max(sums[2].z, sums[1].w);
-    if (!is_finite(slope.y + fc + cc + cp)) slope.y = fc = cc = cp = 0.0;  // without a coarse direction that overflows
-    vec3 diagonal = abs(vec3(ff, cc, remembers != 0u ? pp : 0.0));
-    vec3 scale = vec3(diagonal.x > 0.0 ? inversesqrt(diagonal.x) : 0.0, diagonal.y > 0.0 ? inversesqrt(diagonal.y) : 0.0,
-                      diagonal.z > 0.0 ? inversesqrt(diagonal.z) : 0.0);
-    mat3 a = mat3(vec3(ff * scale.x * scale.x, fc * scale.x * scale.y, fp * scale.x * scale.z),
-                  vec3(fc * scale.x * scale.y, cc * scale.y * scale.y, cp * scale.y * scale.z),
-                  vec3(fp * scale.x * scale.z, cp * scale.y * scale.z, pp * scale.z * scale.z));
-    mat3 v = mat3(1.0);
-    for (int sweep = 0; sweep < 6; ++sweep) {
-      ROTATE(0, 1, 2)
-      ROTATE(0, 2, 1)
-      ROTATE(1, 2, 0)
+      subspace_state[SUBSPACE_OBJECTIVE] = objective;
+      vec3 slope = sums[0].xyz;
+      float ff = sums[1].x + sums[3].x, fc = sums[1].y + sums[3].y, cc = sums[1].z + sums[3].z;
+      float fp = sums[2].x, cp = sums[2].y, pp = sums[2].z;
+#ifdef PRESSING_ROWS
+      vec3 own = pressing_sums[1].xyz, mixed = pressing_sums[2].xyz, change = pressing_sums[0].xyz;
+      ff = max(ff - own.x, sums[1].x);
+      cc = max(cc - own.y, sums[1].z);
+      fc -= mixed.z;
+      fp -= change.x;
+      cp -= change.y;
+      pp -= change.z;
+#endif
+      // The elastic energy adds to the curvature of the masses; a lower value is rounding in the difference of two
+      // gradients.
+      pp = max(pp, sums[1].w);
+      if (!is_finite(slope.y + fc + cc + cp)) slope.y = fc = cc = cp = 0.0;  // without a coarse direction that overflows
+#ifdef PRESSING_ROWS
+      model = model_of(ff, fc, cc, fp, cp, pp, slope);
+      begin_search(model);
+#else
+      SpanModel model = model_of(ff, fc, cc, fp, cp, pp, slope);
+      step = minimum_of(model) * model.scale;
+      if (!is_finite(dot(step, step))) step = vec3(0.0);
+      last = step;
+#endif
+    } else {
+      float slope_before = sums[0].z - sums[2].z, slope = sums[0].z;  // along p, at its start and here
+      float excess = objective - before - slope_before;
+      float exponent = clamp((slope - slope_before) / excess, 2.0, 4.0);
+      float kept = slope_before < 0.0 && is_finite(objective) ? min(0.5, pow(-slope_before / (exponent * excess), 1.0 / (exponent - 1.0))) : 0.0;
+      if (!is_finite(kept) || kept < 0.0) kept = 0.0;
+      step = vec3(0.0, 0.0, kept - 1.0);
+      last = vec3(0.0, 0.0, kept);
+#ifdef PRESSING_ROWS
+      pressing_at.w = 0.0;
+#endif
     }
-    vec3 b = -slope * scale, x = vec3(0.0);
-    for (int k = 0; k < 3; ++k) x += dot(v[k], b) / max(abs(a[k][k]), EIGENVALUE_FLOOR) * v[k];
-    step = x * scale;
-    if (!is_finite(dot(step, step))) step = vec3(0.0);
-    last = step;
-  } else {
-    float slope_before = sums[0].z - sums[2].z, slope = sums[0].z;  // along p, at its start and here
-    float excess = objective - before - slope_before;
-    float exponent = clamp((slope - slope_before) / excess, 2.0, 4.0);
-    float kept = slope_before < 0.0 && is_finite(objective) ? min(0.5, pow(-slope_before / (exponent * excess), 1.0 / (exponent - 1.0))) : 0.0;
-    if (!is_finite(kept) || kept < 0.0) kept = 0.0;
-    step = vec3(0.0, 0.0, kept - 1.0);
-    last = vec3(0.0, 0.0, kept);
-  }
 #endif
+  }
+#ifdef PRESSING_ROWS
+  vec3 found = least_in_span(lane, model);
+  if (lane == 0u && accepted) step = last = is_finite(dot(found, found)) ? found : vec3(0.0);
+#endif
+  if (lane != 0u) return;
   for (uint k = 0u; k < 3u; ++k) {
     subspace_state[SUBSPACE_STEP + k] = step[k];
     subspace_state[SUBSPACE_LAST_STEP + k] = last[k];

@@ -200,7 +200,8 @@ EnergyTerm::Passes ContactTerm::evaluate(gl::ProgramCache& programs, const SimBu
                            {"contact_memory", &buffers.contact_memory},
                            {"contact_anchor", &rows_},
                            {"contact_force", &forces_},
-                           {"contact_block", &blocks_}})};
+                           {"contact_block", &blocks_},
+                           {"contact_pressing", &pressing_}})};
   if (!sums_) return passes;
   gl::ComputePass::Bindings bindings{
       {"step", &buffers.step}, {"contact_force", &forces_}, {"contact_block", &blocks_}, {"contact_sums", &sums_}};
@@ -236,8 +237,11 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
                                      {"contact_vertices", &vertices_},
                                      {"contact_weights", &weights_},
                                      {"contact_block", &blocks_},
+                                     {"contact_pressing", &pressing_},
+                                     {"contact_along", &along_},
                                      {"contact_list", &list_},
                                      {"fine_direction", &at.fine_direction},
+                                     {"last_step", &at.last_step},
                                      {"curvature_partials", &at.partials}};
   if (at.coarse_direction) bindings.emplace_back("coarse_direction", at.coarse_direction);
   Passes passes;
@@ -247,6 +251,12 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
                     std::move(bindings), sum.lanes, gl::ComputePass::Constants{{"first_partial", at.first_partial}})
       .loops(most / sum.lanes + 2);
   return passes;
+}
+
+std::optional<PressingRows> ContactTerm::pressing() const {
+  constexpr std::uint32_t kPasses = 7;  // shaders/sim/two_level/pressing_step.glsl, with the one at the start
+  const std::uint32_t most = point_count() + pairs_.slot_count();
+  return PressingRows{along_, list_, kPasses * (most / Reduction::kGroup + Reduction::kGroup + 2)};
 }
 
 EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const {

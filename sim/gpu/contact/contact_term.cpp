@@ -141,6 +141,8 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
       gl::Buffer("contact_moved", std::vector<vec4>(surface_.row_count + pairs_.row_count(), vec4{0, 0, 0, kNoPlane}));
   forces_ = gl::Buffer("contact_force", std::vector<vec4>(all));
   blocks_ = gl::Buffer("contact_block", std::vector<vec4>(2 * all));
+  pressing_ = gl::Buffer("contact_pressing", std::vector<vec4>(all));
+  along_ = gl::Buffer("contact_along", std::vector<vec4>(all));
   if (loads == gl::LoadPath::texel)
     sums_ = gl::Buffer("contact_sums", std::vector<vec4>(3 * std::size_t{buffers.vertex_count}));
   if (crowded()) crowds_ = gl::Buffer("contact_crowds", sizeof(float) * buffers.vertex_count * surface_.pieces.size());

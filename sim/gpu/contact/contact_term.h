@@ -69,6 +69,7 @@ class ContactTerm : public EnergyTerm {
   Passes over_touched(gl::ProgramCache& programs, const char* kernel, gl::Defines defines,
                       gl::ComputePass::Bindings bindings) const override;
   std::uint32_t curvature_partials(const gl::ProgramCache& programs) const override;
+  std::optional<PressingRows> pressing() const override;
 
   /// What stiffness_at_points() needs of the GPU, read before each call.
   void read_stiffness(gl::Downloads& downloads);
@@ -151,6 +152,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, moved_rows_, forces_, blocks_, loads_;
+  gl::Buffer pressing_, along_;    // contact_force.comp, contact_curvature.comp
   gl::Buffer sums_;                // of contact_gather.comp; absent on GPUs
   gl::Buffer crowds_;              // float [pieces * vertex_count]; absent where no tool is crowded()
   gl::Buffer areas_;               // float [vertex_count] [m^2]; created for the first picture of pressures

@@ -266,10 +266,10 @@ gl::ComputePass TwoLevelMethod::sum_for_step(const Recording& r, const char* ker
                              {{"partials", vertices_.partials}});
 }
 
-// Of pairs of linear tets, or of quadratic ones. `defines` and `bindings`: those that both have. `solve`: the constants
-// of the step that the last group solves, or none.
+// Of pairs of linear tets, or of quadratic ones. `defines` and `bindings`: those that both have. `solve`: of the step
+// that the last group solves, or null.
 Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines defines,
-                                 gl::ComputePass::Bindings bindings, const gl::ComputePass::Constants& solve) const {
+                                 gl::ComputePass::Bindings bindings, const StepSolve* solve) const {
   const char* const kernel =
       quadratic ? "sim/quadratic/quadratic_curvature.comp" : "sim/two_level/subspace_curvature.comp";
   const auto over_deferred = [&](const char* which, gl::Defines with, gl::ComputePass::Bindings more) {
@@ -285,11 +285,13 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
   }
   gl::ComputePass::Bindings sums = bindings;
   gl::Defines sum_defines = defines;
-  if (solve.empty()) {
+  if (!solve) {
     sums.emplace_back("curvature_partials", &partials_);
   } else {
     sum_defines.emplace_back("LAST_GROUP", "1");
-    sums.insert(sums.end(), {{"dot_partials", &partials_}, {"subspace_state", &state_}, {"arrivals", &arrivals_}});
+    sum_defines.insert(sum_defines.end(), solve->defines.begin(), solve->defines.end());
+    sums.emplace_back("arrivals", &arrivals_);
+    sums.insert(sums.end(), solve->bindings.begin(), solve->bindings.end());
   }
   Passes passes;
   if (r.deferred) {
@@ -298,7 +300,7 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
     sums.emplace_back("guarded_terms", &guarded);
     sum_defines.emplace_back("GUARDED_ELSEWHERE", "1");
   }
-  gl::ComputePass::Constants constants = solve;
+  gl::ComputePass::Constants constants = solve ? solve->constants : gl::ComputePass::Constants{};
   constants.emplace_back("first_partial", 3 * vertices_.partials + (quadratic ? pairs_.partials : 0));
   passes.push_back(
       quadratic
@@ -312,43 +314,45 @@ Passes TwoLevelMethod::curvature(const Recording& r, bool quadratic, gl::Defines
 
 Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) const {
   Passes passes;
-  const std::uint32_t of_terms = term_partials(r);
-  gl::ComputePass::Constants constants{{"partials", vertices_.partials}};
+  StepSolve solve{{}, {{"dot_partials", &partials_}, {"subspace_state", &state_}}, {{"partials", vertices_.partials}}};
+  std::uint32_t loops = vertices_.partials + pairs_.partials + quadratic_.partials + 2 * Reduction::kGroup;
   if (last) {
     passes.push_back(objective_sum(r, true));
   } else {
-    constants.emplace_back("curvature_count", pairs_.partials + quadratic_.partials + of_terms);
-    constants.emplace_back("remembers", remembers_ && !first);
+    const std::uint32_t of_terms = term_partials(r);
+    loops += of_terms;
+    solve.constants.emplace_back("curvature_count", pairs_.partials + quadratic_.partials + of_terms);
+    solve.constants.emplace_back("remembers", remembers_ && !first);
     gl::ComputePass::Bindings curvature{
         {"step", &r.buffers.step}, {"displacement", &r.buffers.displacement}, {"fine_direction", &fine_direction_}};
     if (splits_) curvature.emplace_back("coarse_direction", &coarse_direction_);
     curvature = with_damping(with_material(std::move(curvature), r.features, r.buffers), r.features, r.previous_strain);
     gl::Defines curvature_defines = defines_of(r.features);
     curvature_defines.emplace_back("SPLIT", splits_ ? "1" : "0");
-    if (r.has_blocks() && last_group_ends(r)) curvature_defines.emplace_back("OBJECTIVES_BEFORE", "1");
     std::uint32_t next = 3 * vertices_.partials + pairs_.partials + quadratic_.partials;
     for (const EnergyTerm* term : r.terms) {
       if (!term->acts()) continue;
-      append(passes, term->curvature(r.programs, r.buffers,
-                                     {fine_direction_, splits_ ? &coarse_direction_ : nullptr, partials_, next}));
+      const TermCurvature at{fine_direction_, splits_ ? &coarse_direction_ : nullptr, last_step_, partials_, next};
+      append(passes, term->curvature(r.programs, r.buffers, at));
       next += term->curvature_partials(r.programs);
+      if (const std::optional<PressingRows> rows = term->pressing()) {
+        solve.defines = {{"OBJECTIVES_BEFORE", "1"}, {"PRESSING_ROWS", "1"}};
+        solve.bindings.insert(solve.bindings.end(), {{"contact_along", &rows->along}, {"contact_list", &rows->list}});
+        loops += rows->loops;
+      }
     }
     const bool quadratic_ends = r.buffers.quadratic_count > 0;
     for (const bool quadratic : {false, true})
       if ((quadratic ? r.buffers.quadratic_count : r.buffers.pair_and_single_count()) > 0)
-        append(passes,
-               this->curvature(
-                   r, quadratic, curvature_defines, curvature,
-                   last_group_ends(r) && quadratic == quadratic_ends ? constants : gl::ComputePass::Constants{}));
+        append(passes, this->curvature(r, quadratic, curvature_defines, curvature,
+                                       last_group_ends(r) && quadratic == quadratic_ends ? &solve : nullptr));
   }
-  gl::Defines solve_defines{{"FINAL", last ? "1" : "0"}};
-  if (r.has_blocks() && !last) solve_defines.emplace_back("OBJECTIVES_BEFORE", "1");
+  solve.defines.emplace_back("FINAL", last ? "1" : "0");
   if (!last_group_ends(r))
     passes
-        .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", solve_defines),
-                      gl::ComputePass::Bindings{{"dot_partials", &partials_}, {"subspace_state", &state_}}, 1,
-                      std::move(constants))
-        .loops(vertices_.partials + pairs_.partials + quadratic_.partials + of_terms + 2 * Reduction::kGroup);
+        .emplace_back(r.programs.compute("sim/two_level/subspace_solve.comp", solve.defines), solve.bindings, 1,
+                      solve.constants)
+        .loops(loops);
   if (last || !gradient_moves(r)) passes.push_back(update(r, last));
   return passes;
 }

@@ -69,8 +69,13 @@ class TwoLevelMethod : public StepMethod {
   gl::ComputePass objective_sum(const Recording& recording, bool final) const;
   gl::ComputePass sum_for_step(const Recording& recording, const char* kernel, gl::Defines defines,
                                gl::ComputePass::Bindings bindings) const;
+  struct StepSolve {  // what a kernel that includes sim/two_level/subspace_step.glsl needs for it
+    gl::Defines defines;
+    gl::ComputePass::Bindings bindings;
+    gl::ComputePass::Constants constants;
+  };
   Passes curvature(const Recording& recording, bool quadratic, gl::Defines defines, gl::ComputePass::Bindings bindings,
-                   const gl::ComputePass::Constants& solve) const;
+                   const StepSolve* solve) const;
   Passes subspace_step(const Recording& recording, bool first, bool last) const;
   std::uint32_t term_partials(const Recording& recording) const;  // of the curvatures of external energies
 

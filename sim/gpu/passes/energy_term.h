@@ -24,8 +24,15 @@ enum class TermUse {
 /// Where and how a method that descends the objective adds curvatures along its directions.
 struct TermCurvature {
   const gl::Buffer &fine_direction, *coarse_direction;  // vec4 [vertex_count]; null: one direction
+  const gl::Buffer& last_step;                          // vec4 [vertex_count] p
   const gl::Buffer& partials;                           // vec4
   std::uint32_t first_partial;
+};
+
+/// Rows that press on one side only, along the directions of TermCurvature (shaders/sim/two_level/pressing_step.glsl).
+struct PressingRows {
+  const gl::Buffer &along, &list;
+  std::uint32_t loops;  // of an invocation that looks at them, at most
 };
 
 /// Where a method keeps its vertices' blocks of the Hessian: without the terms that have blocks, and their inverses
@@ -71,6 +78,7 @@ class EnergyTerm {
   virtual Passes finish(gl::ProgramCache&, const SimBuffers&, [[maybe_unused]] bool moves_bodies) const { return {}; }
   virtual Passes curvature(gl::ProgramCache&, const SimBuffers&, const TermCurvature&) const { return {}; }
   virtual std::uint32_t curvature_partials(const gl::ProgramCache&) const { return 0; }
+  virtual std::optional<PressingRows> pressing() const { return {}; }  // of a term with blocks, after curvature()
   /// Of a term with blocks: a pass over the vertices on which it acts in a stage.
   virtual Passes over_touched(gl::ProgramCache&, const char* /*kernel*/, gl::Defines, gl::ComputePass::Bindings) const {
     return {};
