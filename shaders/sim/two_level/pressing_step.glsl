@@ -122,7 +122,8 @@ vec3 least_in_span(uint lane, SpanModel model) {
         least = energy;
         if (-dot(next, slope) <= -kEnough * least) pressing_at.w = 0.0;
       }
-      pressing_at.xyz = at.xyz + next * model.scale;
+      bool in_circles = least == 0.0 && pass > 3u;
+      pressing_at.xyz = in_circles ? 0.25 * at.xyz : at.xyz + next * model.scale;
     }
   }
   return best;

@@ -22,6 +22,7 @@ uniform uint remembers;  // 0 or 1
 #endif
 INOUT(float, SubspaceState, subspace_state)
 #define EIGENVALUE_FLOOR 0.03
+#define ROWS_ROUNDING 1e-5
 #define OBJECTIVE_ROUNDING 2e-6  // of float32 sums of some thousand terms
 
 // One Jacobi rotation: makes a[p][q] zero. v collects the eigenvectors in its columns.
@@ -129,12 +130,12 @@ void solve_subspace_step(uint lane) {
       float fp = sums[2].x, cp = sums[2].y, pp = sums[2].z;
 #ifdef PRESSING_ROWS
       vec3 own = pressing_sums[1].xyz, mixed = pressing_sums[2].xyz, change = pressing_sums[0].xyz;
-      ff = max(ff - own.x, sums[1].x);
-      cc = max(cc - own.y, sums[1].z);
+      ff = max(ff - own.x, sums[1].x) + ROWS_ROUNDING * own.x;
+      cc = max(cc - own.y, sums[1].z) + ROWS_ROUNDING * own.y;
       fc -= mixed.z;
       fp -= change.x;
       cp -= change.y;
-      pp -= change.z;
+      pp += (ROWS_ROUNDING - 1.0) * change.z;
 #endif
       // The elastic energy adds to the curvature of the masses; a lower value is rounding in the difference of two
       // gradients.

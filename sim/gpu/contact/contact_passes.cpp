@@ -233,16 +233,11 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
                                           const TermCurvature& at) const {
   const std::uint32_t most = point_count() + pairs_.slot_count();
   const Reduction sum(programs, most);
-  gl::ComputePass::Bindings bindings{{"step", &buffers.step},
-                                     {"contact_vertices", &vertices_},
-                                     {"contact_weights", &weights_},
-                                     {"contact_block", &blocks_},
-                                     {"contact_pressing", &pressing_},
-                                     {"contact_along", &along_},
-                                     {"contact_list", &list_},
-                                     {"fine_direction", &at.fine_direction},
-                                     {"last_step", &at.last_step},
-                                     {"curvature_partials", &at.partials}};
+  gl::ComputePass::Bindings bindings{{"step", &buffers.step},          {"contact_vertices", &vertices_},
+                                     {"contact_weights", &weights_},   {"contact_block", &blocks_},
+                                     {"contact_pressing", &pressing_}, {"contact_along", &along_},
+                                     {"contact_list", &list_},         {"fine_direction", &at.fine_direction},
+                                     {"last_step", &at.last_step},     {"curvature_partials", &at.partials}};
   if (at.coarse_direction) bindings.emplace_back("coarse_direction", at.coarse_direction);
   Passes passes;
   passes

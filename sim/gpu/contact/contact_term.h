@@ -46,8 +46,9 @@ class ContactTerm : public EnergyTerm {
   void forget_moved_rows();
   /// Iterations start where the tissue is: bodies were moved since begin_stage().
   void stay() { starts_.stay(); }
-  bool meets() const { return starts_.meets(); }  // after begin_stage(): whether tissue stops other tissue in the stage
-  bool cuts() const { return pairs_.cuts(); }     // what search_again() looked at last
+  /// After begin_stage(): whether tissue stops other tissue in the stage, or has to make room for it.
+  bool meets() const { return starts_.meets() || pairs_.parts(); }
+  bool cuts() const { return pairs_.cuts(); }  // what search_again() looked at last
   long taken_back() const { return pairs_.taken_back(); }
   bool searches() const { return !pairs_.empty(); }
   double search_ms() const { return pairs_.search_ms(); }  // for pairs, so far

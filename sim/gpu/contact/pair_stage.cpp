@@ -97,8 +97,6 @@ void PairStage::upload_forces(SimBuffers& buffers, std::uint32_t first_row) cons
 }
 
 void PairStage::limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const {
-  constexpr double kLetIn = 0.05;  // of the skin: enough for what touches to press, and for its stiffness to be known
-  const double let_in = kLetIn * search_.skin();
   std::iota(leaders.begin(), leaders.end(), 0u);
   const auto leader_of = [&](std::uint32_t body) {
     while (leaders[body] != body) body = leaders[body];
@@ -108,18 +106,25 @@ void PairStage::limit(std::vector<float>& shares, std::vector<std::uint32_t>& le
     double way = 0;
     for (std::size_t k = 0; k < 4; ++k)
       way += pair.weights[k] * pair.normal.dot(end_[pair.vertices[k]] - start_[pair.vertices[k]]);
-    const bool meets = way < 0 && pair.gap + way < -let_in;
+    const bool meets = way < 0 && pair.gap + way < 0;
     if (!meets && pair.before <= 0) continue;
     const std::uint32_t a = leader_of(pair.bodies[0]), b = leader_of(pair.bodies[1]);
     leaders[std::max(a, b)] = std::min(a, b);
     if (!meets) continue;
-    const auto share = static_cast<float>(std::max(0.0, pair.gap + let_in) / -way);
+    const auto share = static_cast<float>(std::max(0.0, pair.gap) / -way);
     shares[pair.bodies[0]] = std::min(shares[pair.bodies[0]], share);
   }
   for (std::uint32_t body = 0; body < leaders.size(); ++body) {
     leaders[body] = leader_of(body);
     shares[leaders[body]] = std::min(shares[leaders[body]], shares[body]);
   }
+}
+
+bool PairStage::parts() const {
+  constexpr double kNearer = 1e-3;  // of the skin
+  return std::any_of(rows_.begin(), rows_.end(), [least = -kNearer * search_.skin()](const PairRow& pair) {
+    return pair.gap < least && pair.bodies[0] != pair.bodies[1];
+  });
 }
 
 std::vector<PairStage::Support> PairStage::supports(std::size_t body_count) const {

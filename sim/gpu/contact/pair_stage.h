@@ -37,6 +37,7 @@ class PairStage {
   /// Bodies that press each other, or meet, go together: `leaders` [body] gets the first body of each such group, whose
   /// share is that of all.
   void limit(std::vector<float>& shares, std::vector<std::uint32_t>& leaders) const;
+  bool parts() const;  // whether bodies begin the stage nearer to each other than they are to end it
   /// What other tissue did to a body at the end of the stage before.
   struct Support {
     Eigen::Vector3d force{0, 0, 0};  // [N]
