@@ -163,7 +163,7 @@ PairSearch::Facing PairSearch::facing_of(const Beside& beside, std::uint32_t tri
 
 void PairSearch::try_vertex(std::uint32_t v, std::size_t index, std::uint32_t triangle) {
   const Triangle& t = triangles_[triangle];
-  if (vertex_normals_[v].dot(normals_[triangle]) >= 0) return;
+  if (vertex_normals_[v].dot(normals_[triangle]) >= -facing_[v]) return;
   if (t[0] == v || t[1] == v || t[2] == v) return;
   if (held_[v] && held_[t[0]] && held_[t[1]] && held_[t[2]]) return;
   const auto gap_at = [&](double share, Vector3d& normal, Vector3d& local, std::array<Vector3d, 3>& corners) {

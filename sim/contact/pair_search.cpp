@@ -16,10 +16,13 @@ constexpr double kSkin = 0.1;  // of the mean edge: wide enough for what a penal
 // that have less than kParting of the skin left, or none, have to part faster.
 constexpr double kSlowParting = 0.5, kFastParting = 1.0 / 15;
 constexpr double kParting = 0.25;  // also the most in a step, of the skin
-// Bodies that a scene sets on each other, nearer than the skin and hardly moving, part slowly until twice that time.
+// Bodies that a scene sets on each other, nearer than the skin and hardly closing, part slowly until twice that time.
 // Their skin is what they have parted by, so that no vertex beside an edge is within it, where it would stop what
 // slides.
 constexpr double kHardlyMoving = 0.1;  // [s] in which they may close by the skin
+// Cosine of the angle by which a face that a vertex meets may face another way than any of the faces around the vertex
+// would let it. Flat tissue ahead of a body that slides on it is not met by the side of that body.
+constexpr double kFacing = 0.5;
 // Sine of the angle between the normals at an edge, above which it can touch another one.
 constexpr double kSharp = 0.005;
 
@@ -71,7 +74,7 @@ void PairSearch::find_set_on_each_other(const Model& model) {
   for (const PairRow& row : find(still, still, {})) {
     double gap = 0;
     for (std::size_t k = 0; k < 4; ++k) gap += row.weights[k] * row.normal.dot(rest_[row.vertices[k]]);
-    const double closing = (velocity[row.bodies[0]] - velocity[row.bodies[1]]).norm();
+    const double closing = (velocity[row.bodies[1]] - velocity[row.bodies[0]]).dot(row.normal);
     if (row.bodies[0] == row.bodies[1] || gap >= skin_ || closing * kHardlyMoving >= skin_) continue;
     const auto set = set_on_each_other_.try_emplace(std::minmax(row.bodies[0], row.bodies[1]), skin_).first;
     set->second = std::max(0.0, std::min(set->second, gap));
@@ -123,6 +126,14 @@ void PairSearch::place() {
     }
     normals_[i] = twice_area.stableNormalized();
   }
+  for (const std::uint32_t v : vertices_) vertex_normals_[v].stableNormalize();
+  facing_.assign(rest_.size(), 1);
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (const std::uint32_t v : triangles_[i]) facing_[v] = std::min(facing_[v], normals_[i].dot(vertex_normals_[v]));
+  for (const std::uint32_t v : vertices_) {
+    const double c = facing_[v], s = std::sqrt(std::max(0.0, 1 - c * c));
+    facing_[v] = std::max(0.0, kFacing * c - std::sqrt(1 - kFacing * kFacing) * s);
+  }
   convex_.resize(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const TissueEdge& edge = edges_[e];
@@ -165,8 +176,10 @@ void PairSearch::fit_trees(const std::vector<AlignedBox3d>& boxes, const std::ve
   }
 }
 
-std::vector<char> PairSearch::carried(std::span<const ContactForce> before) const {
+std::vector<char> PairSearch::carried(std::span<const ContactForce> before, double time) const {
   std::vector<char> bodies(trees_.size(), 0), carried(rest_.size(), 0);
+  if (time == 0)
+    for (const auto& set : set_on_each_other_) bodies[set.first.first] = bodies[set.first.second] = 1;
   for (std::uint32_t slot = 0; slot < first_guard_ && met_row(slot) < before.size(); ++slot) {
     if (before[force_row(slot)].normal <= 0) continue;
     ContactForce row = before[met_row(slot)];

@@ -49,9 +49,10 @@ class PairSearch {
   bool sees_near() const { return std::find(near_.begin(), near_.end(), 1) != near_.end(); }  // after find()
   double skin() const { return skin_; }  // [m] the gap that is left between surfaces
 
-  /// [vertex_count] whether the vertex's body pressed another one in the step before. Contact carries such a body:
-  /// where gravity alone would lead it, edges would meet what they slide over.
-  std::vector<char> carried(std::span<const ContactForce> before) const;
+  /// [vertex_count] whether the vertex's body pressed another one in the step before, or is set on one as the scene
+  /// begins, at `time` 0 [s]. Contact carries such a body: where gravity alone would lead it, edges would meet what
+  /// they slide over.
+  std::vector<char> carried(std::span<const ContactForce> before, double time) const;
   /// The pairs of a step, by ascending slot. `start` and `end`: displacements [vertex_count] at the start, and where
   /// velocities lead [m]; `before` [row_count]: the memory that the step before left; `length`: of the stage [s];
   /// `time`: at its start [s].
@@ -201,12 +202,13 @@ class PairSearch {
   // Of the step
   std::vector<Eigen::Vector3d> start_, end_;     // [vertex_count] x
   std::vector<Eigen::Vector3d> normals_;         // [triangle] outward, at the start
-  std::vector<Eigen::Vector3d> vertex_normals_;  // [vertex_count] their sums, weighted by area
-  std::vector<char> convex_;                     // [edge] or pressed
-  std::vector<char> near_;                       // [vertex_count] to other surface
-  std::vector<char> pressed_;                    // [slot] in the step before
-  std::vector<std::uint32_t> met_;               // [slot] PairRow::met of the step before
-  std::vector<double> normal_;                   // [slot] force that pairs start with [N]
+  std::vector<Eigen::Vector3d> vertex_normals_;  // [vertex_count] their sums, weighted by area, unit vectors
+  std::vector<double> facing_;  // [vertex_count] cosine of the widest angle between that and the reverse of a face's
+  std::vector<char> convex_;    // [edge] or pressed
+  std::vector<char> near_;      // [vertex_count] to other surface
+  std::vector<char> pressed_;   // [slot] in the step before
+  std::vector<std::uint32_t> met_;  // [slot] PairRow::met of the step before
+  std::vector<double> normal_;      // [slot] force that pairs start with [N]
   std::vector<PairRow> guards_;
   bool cuts_ = false;
   std::vector<char> raised_;  // [slot] since the last search

@@ -89,7 +89,7 @@ struct NewtonSolver::Impl {
       return std::make_shared<ContactEnergy>(model, contact, rows, memory, start, motion,
                                              pairs.find(as_vectors(start), end, before));
     if (!pairs.empty()) {
-      const std::vector<char> carried = pairs.carried(before);
+      const std::vector<char> carried = pairs.carried(before, time);
       for (std::size_t v = 0; v < path.size(); ++v)
         if (falls[v] && carried[v]) path[v] -= fall_in(*stage);
     }

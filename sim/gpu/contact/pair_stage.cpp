@@ -75,7 +75,7 @@ void PairStage::find(SimBuffers& buffers, std::uint32_t first_row) {
   std::vector<ContactForce> forces;
   for (const vec4& force : before_) forces.push_back({{force.x, force.y, force.z}, force.w});
   std::vector<Vector3d> path = end_;
-  const std::vector<char> carried = search_.carried(forces);
+  const std::vector<char> carried = search_.carried(forces, start_time_);
   for (std::size_t v = 0; v < path.size(); ++v)
     if (falls_[v] && carried[v]) path[v] -= duration_ * duration_ * model_.gravity;
   rows_ = timed([&] { return search_.find(start_, path, forces, length_, start_time_); });
