@@ -29,6 +29,11 @@ const Trial* alike(const Proposal& choice, const std::vector<Trial>& trials) {
   return found == trials.end() ? nullptr : &*found;
 }
 
+bool is_same_run(const Proposal& a, const Proposal& b) {
+  return a.elements == b.elements && a.integrator == b.integrator && a.refinement == b.refinement &&
+         a.substeps == b.substeps && a.iterations == b.iterations;
+}
+
 }  // namespace
 
 Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes meshes, const RunChoice& run) {
@@ -42,14 +47,21 @@ Plan confirmed_plan(std::vector<Trial>& trials, double error, double ms, Meshes 
   };
   const auto confirmed = [&](const Proposal& choice) { return measured(trial_for(choice), trials); };
   if (!meshes.can_be_made) std::erase_if(meshes.refinements, [](double r) { return r < kCoarsestUnseen; });
+  std::vector<Proposal> done;
+  const auto has_run = [&](const Proposal& choice) {
+    return std::any_of(done.begin(), done.end(), [&](const Proposal& other) { return is_same_run(choice, other); });
+  };
+  const auto open_or_confirmed = [&](const Proposal& choice) {
+    return confirmed(choice) || !has_run(trial_for(choice));
+  };
   for (int runs = 0; runs < kMostRuns; ++runs) {
-    const Plan plan = plan_for(trials, error, ms, meshes.refinements);
+    const Plan plan = plan_for(trials, error, ms, meshes.refinements, open_or_confirmed);
     std::vector<std::optional<Proposal>> proposals{plan.exact, plan.fast};
     if (plan.within) proposals = {plan.within};
     const auto open = std::find_if(proposals.begin(), proposals.end(),
                                    [&](const auto& choice) { return choice && !confirmed(*choice); });
     if (open == proposals.end() || interrupted()) return plan;
-    const Proposal choice = trial_for(**open);
+    const Proposal choice = done.emplace_back(trial_for(**open));
     if (const std::optional<Trial> trial = run(choice, alike(choice, trials)))
       trials.push_back(*trial);
     else

@@ -80,8 +80,7 @@ std::optional<Trial> trial_of(const OpenedScene& opened, const TrialRuns& runs, 
   trial.kept = kept_tets(opened);
   trial.shape = shape_error(model);
   trial.substeps = choice.substeps;
-  trial.few = std::min(trial.few, choice.iterations);
-  trial.many = std::max(trial.many, choice.iterations);
+  (choice.iterations < trial.many ? trial.few : trial.many) = choice.iterations;
   const auto with = [&, &scene = scene](int iterations) {
     Scene chosen = scene;
     chosen.solver.iterations = iterations;

@@ -46,12 +46,14 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
     const std::size_t wrong = std::min(position > 0 ? position - 1 : 0, text_.size());
     const std::string why = reason(error.what());
     const bool in_value = why.find("invalid literal") != why.npos || why.find("invalid number") != why.npos;
-    const auto word = in_value ? not_finite_at(wrong) : std::nullopt;
+    const bool too_large = why.find("number overflow") != why.npos;
+    const auto word = in_value ? not_finite_at(wrong) : too_large ? std::optional(number_at(wrong)) : std::nullopt;
     const std::string_view before = text_.substr(0, word ? word->begin : wrong);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t newline = before.rfind('\n');  // npos + 1 is 0
     const std::size_t column = before.size() - (newline + 1) + 1;
     const std::string place = where_ + ":" + std::to_string(line) + ":" + std::to_string(column);
+    if (too_large) throw Error(place, "is " + word->text + ", which no double holds", "expected at most 1.8e308");
     if (word) throw Error(place, "is " + word->text + ", which JSON does not have", "expected a finite number");
     throw Error(place, why, "");
   }
@@ -75,6 +77,15 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
       if (std::isalpha(c)) name += static_cast<char>(std::tolower(c));
     if (name != "nan" && name != "inf" && name != "infinity") return std::nullopt;
     return Word{begin, std::string(text_.substr(begin, end - begin))};
+  }
+
+  /// The number that ends at a byte or before it.
+  Word number_at(std::size_t byte) const {
+    const auto last = text_.find_last_of("0123456789", byte), before = text_.find_last_not_of("0123456789+-.eE", last);
+    const std::size_t begin = before + 1;  // npos + 1 is 0
+    constexpr std::size_t kLongest = 60;
+    const std::string number(text_.substr(begin, last + 1 - begin));
+    return {begin, number.size() > kLongest ? number.substr(0, kLongest) + "..." : number};
   }
 
   /// The parser's message without its code, without the position (which precedes ours) and without a long quotation of

@@ -169,9 +169,10 @@ FASCIA_INLINE namespace api {
 
     // Grabs. A grab is a set of springs that pull tissue to a target. A call for a grab that does not exist, or that
     // was released, throws Error.
-    /// Grabs the free vertices among `vertices`. Each has an equal share of `stiffness` [N/m]; with 0 the stiffness
-    /// follows from the tissue. The target is the current center until move() changes it. Throws Error if no vertex is
-    /// free, for an index out of range and for a negative stiffness.
+    /// Grabs the free vertices among `vertices`: the faces of the surface whose corners are all among them, evenly, or
+    /// each alike where they span no face. `stiffness` [N/m] is that of all together; with 0 it follows from the
+    /// tissue. The target is the current center until move() changes it. Throws Error if no vertex is free, for an
+    /// index out of range and for a negative stiffness.
     Grab grab(std::span<const std::uint32_t> vertices, double stiffness = 0);
     /// Grabs one vertex. Units and errors are those of grab().
     Grab grab_vertex(std::uint32_t vertex, double stiffness = 0);

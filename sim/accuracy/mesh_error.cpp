@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "sim/accuracy/displacement_rounding.h"
 #include "sim/accuracy/finer_solution.h"
 #include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/recovered_stress.h"
@@ -163,12 +164,14 @@ double relative_error(const Model& model, const State& state, const std::vector<
     const std::vector<Vector3d> left = deformation(rest, now);
     for (std::size_t k = 0; k < piece.size(); ++k) whole[piece[k]] = left[k];
   }
-  double distance = 0, size = 0;
+  double distance = 0, size = 0, moved = 0;
   for (std::size_t v = 0; v < better.size(); ++v) {
     distance += volumes[v] * (better[v] - state.displacement[v]).squaredNorm();
     size += volumes[v] * whole[v].squaredNorm();
+    moved += volumes[v] * state.displacement[v].squaredNorm();
   }
-  return distance > 0 ? std::sqrt(distance / size) : 0;
+  // A body that falls freely is deformed by rounding alone.
+  return distance > 0 && size > kDisplacementRounding * kDisplacementRounding * moved ? std::sqrt(distance / size) : 0;
 }
 
 }  // namespace
@@ -205,7 +208,7 @@ MeshError estimate_mesh_error(const Model& model, const State& state, const std:
   result.peak_of_tets = exceeded_by_a_hundredth(own, volumes);
   // T* of patches is what the stress of quadratic tets is recovered from: beside itself it has no error.
   const double told = found.has_finer() ? peak_of(nodal_stress(model, state, stop), model).p99 : result.peak_of_tets;
-  if (result.peak > 0) result.peak_stress = std::abs(1 - told / result.peak);
+  if (result.peak > stress_of_rounding(model, state)) result.peak_stress = std::abs(1 - told / result.peak);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "sim/accuracy/displacement_rounding.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/elements/quadratic_tet.h"
 
@@ -164,10 +165,14 @@ PeakStress peak_of(const NodalStress& stress, const Model& model) {
           exceeded_by_a_hundredth(values, vertex_volumes(model))};
 }
 
+double peak_beyond_rounding(const Model& model, const State& state, const std::stop_token& stop) {
+  const double peak = peak_of(nodal_stress(model, state, stop), model).p99;
+  return peak <= stress_of_rounding(model, state) ? 0 : peak;
+}
+
 double peak_distance(const Model& model, const State& state, const State& exact, const std::stop_token& stop) {
-  const auto p99 = [&](const State& of) { return peak_of(nodal_stress(model, of, stop), model).p99; };
-  const double truth = p99(exact);
-  return truth > 0 ? std::abs(p99(state) - truth) / truth : 0;
+  const double truth = peak_beyond_rounding(model, exact, stop);
+  return truth > 0 ? std::abs(peak_beyond_rounding(model, state, stop) - truth) / truth : 0;
 }
 
 }  // namespace fascia

@@ -42,12 +42,15 @@ struct PeakStress {
 };
 PeakStress peak_of(const NodalStress& stress, const Model& model);
 
+/// p99 of a state, or 0 where rounding of its displacements (stress_of_rounding()) may be all that it is of.
+double peak_beyond_rounding(const Model& model, const State& state, const std::stop_token& stop = {});
+
 /// What the stress p99 is off by, relative to it; TimeError has what the length of steps leaves.
 struct PeakErrors {
   std::optional<double> solver;
   double mesh = 0;  // MeshError::peak_stress
 };
-/// |p99 - p99 of `exact`| over the latter; 0 where there is none.
+/// |p99 - p99 of `exact`| over the latter, both beyond rounding; 0 where `exact` has none.
 double peak_distance(const Model& model, const State& state, const State& exact, const std::stop_token& stop = {});
 
 }  // namespace fascia

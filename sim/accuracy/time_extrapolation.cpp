@@ -89,10 +89,10 @@ TimeError TimeExtrapolation::error() const {
   error.relative = over(end, best.empty() ? 0 : norm(best.back()));
   error.over_run = over(std::sqrt(squares), norm(best));
   const double peak = c.peak_stress + forward * (c.peak_stress - b.peak_stress);
-  error.peak_stress = over(estimate(std::abs(coarse.peak_stress - peak), std::abs(a.peak_stress - b.peak_stress),
-                                    std::abs(b.peak_stress - c.peak_stress),
-                                    doubted ? std::abs(coarse.peak_stress - witness_->peak_stress) : 0),
-                           std::abs(peak));
+  const double off = estimate(std::abs(coarse.peak_stress - peak), std::abs(a.peak_stress - b.peak_stress),
+                              std::abs(b.peak_stress - c.peak_stress),
+                              doubted ? std::abs(coarse.peak_stress - witness_->peak_stress) : 0);
+  error.peak_stress = peak == 0 ? 0 : over(off, std::abs(peak));  // 0: rounding
   return error;
 }
 

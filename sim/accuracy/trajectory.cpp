@@ -17,7 +17,7 @@ RunError error_of(const Trajectory& found, const Trajectory& truth) {
   }
   error.over_run = relative_distance(all_found, all_true);
   const double difference = std::abs(found.peak_stress - truth.peak_stress);
-  error.peak_stress = difference == 0 ? 0 : difference / truth.peak_stress;
+  error.peak_stress = truth.peak_stress == 0 ? 0 : difference / truth.peak_stress;  // 0: rounding
   return error;
 }
 

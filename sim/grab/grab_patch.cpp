@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
 #include "sim/mesh/mid_edges.h"
+#include "sim/mesh/tet_faces.h"
 
 namespace fascia {
 namespace {
@@ -53,6 +55,31 @@ void leave_to_middles(const std::vector<MidEdge>& middles, std::vector<PatchVert
   }
   if (std::any_of(patch.begin(), patch.end(), [&](const PatchVertex& p) { return among.contains(p.vertex); }))
     std::erase_if(patch, [&](const PatchVertex& p) { return ends.contains(p.vertex); });
+}
+
+/// Weights of an even traction [m^2] over the faces of the surface whose corners are all among `given`: a third of the
+/// area at each corner, or at each mid-edge vertex of a quadratic tet. Empty where these vertices span no face.
+std::map<std::uint32_t, double> traction_weights(const Model& model, const std::set<std::uint32_t>& given) {
+  std::map<std::uint32_t, double> weights;
+  const std::vector<Triangle> faces = boundary_triangles(model.tets);
+  const std::vector<std::uint32_t> tets = tets_at_boundary(model.tets);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto [a, b, c] = faces[f];
+    if (!given.contains(a) || !given.contains(b) || !given.contains(c)) continue;
+    const Vector3d& x = model.rest_positions[a];
+    const double third = (model.rest_positions[b] - x).cross(model.rest_positions[c] - x).norm() / 6;
+    const std::uint32_t t = tets[f];
+    if (!model.is_quadratic(t)) {
+      for (const std::uint32_t v : faces[f]) weights[v] += third;
+      continue;
+    }
+    const auto of_face = [&](std::size_t corner) {
+      return std::find(faces[f].begin(), faces[f].end(), model.tets[t][corner]) != faces[f].end();
+    };
+    for (std::size_t e = 0; e < kMidEdgeCorners.size(); ++e)
+      if (of_face(kMidEdgeCorners[e][0]) && of_face(kMidEdgeCorners[e][1])) weights[model.mid_edges[t][e]] += third;
+  }
+  return weights;
 }
 
 void make_shares_of_weights(std::vector<PatchVertex>& patch) {
@@ -135,7 +162,14 @@ std::vector<PatchVertex> even_patch(const Model& model, const std::vector<std::u
     const double there = modulus[b][v - model.bodies[b].vertex_begin];
     if (!held[v] && there > 0) patch.push_back({v, 1, there});
   }
-  leave_to_middles(middles, patch);
+  const std::map<std::uint32_t, double> weights = traction_weights(model, given);
+  const auto pulled = [&](const PatchVertex& p) { return weights.contains(p.vertex); };
+  if (std::any_of(patch.begin(), patch.end(), pulled)) {
+    std::erase_if(patch, std::not_fn(pulled));
+    for (PatchVertex& p : patch) p.share = weights.at(p.vertex);
+  } else {
+    leave_to_middles(middles, patch);
+  }
   make_shares_of_weights(patch);
   return patch;
 }

@@ -34,7 +34,8 @@ double scene_radius(const Model& model);
 /// exactly that point. Empty if all of these vertices are constrained.
 std::vector<PatchVertex> grab_patch(const Model& model, std::span<const Eigen::Vector3d> positions,
                                     const Eigen::Vector3d& point, double radius, const EmbeddedPoint& place);
-/// The free ones of these vertices, each with the same share.
+/// The free ones of these vertices. Those that span faces of the surface pull on these alone, with the shares of an
+/// even traction; where no face is spanned, each has the same share.
 std::vector<PatchVertex> even_patch(const Model& model, const std::vector<std::uint32_t>& vertices);
 
 /// The default stiffness [N/m] of a patch of this size: the tissue's own, times `grip`.

@@ -34,6 +34,7 @@ struct LoadedBody {
   FileReader& files;
   const Body& body;
   std::string key, where;  // "bodies[0]", "scene.json: bodies[0]"
+  std::string set;         // the start of keys of --set: "", or "bodies.0." where there are several
   MeshFile file;
   SurfaceMesh surface;  // drawn instead of the boundary, if it has triangles
   MeshRepair repaired;
@@ -44,7 +45,8 @@ struct LoadedBody {
 
 LoadedBody begin_body(const Scene& scene, std::size_t index, FileReader& files) {
   const std::string key = "bodies[" + std::to_string(index) + "]";
-  return {files, scene.bodies[index], key, scene.file.string() + ": " + key, {}, {}, {}, {}};
+  const std::string set = scene.bodies.size() > 1 ? "bodies." + std::to_string(index) + '.' : "";
+  return {files, scene.bodies[index], key, scene.file.string() + ": " + key, set, {}, {}, {}, {}};
 }
 
 /// `mesh_name`: the name of the mesh in errors.
@@ -142,7 +144,8 @@ void add_materials(const LoadedBody& loaded, Model& model, BodyPart& part) {
     std::string text = std::to_string(ratio);
     text.erase(text.find_last_not_of('0') + 1);
     model.notes.push_back(resolved.names[m] + ": Poisson's ratio " + text +
-                          "; linear tets lock above 0.45: expect too little motion on a coarse mesh");
+                          "; linear tets lock above 0.45: expect too little motion on a coarse mesh, or use --set " +
+                          loaded.set + "elements=quadratic");
   }
   model.materials.insert(model.materials.end(), resolved.materials.begin(), resolved.materials.end());
   model.material_names.insert(model.material_names.end(), resolved.names.begin(), resolved.names.end());

@@ -9,7 +9,9 @@ namespace fascia {
 State initial_state(const Model& model) {
   State state;
   state.displacement.assign(model.rest_positions.size(), Eigen::Vector3d::Zero());
-  state.velocity = model.initial_velocity;
+  state.velocity.assign(model.rest_positions.size(), Eigen::Vector3d::Zero());
+  for (std::size_t t = 0; t < model.tets.size(); ++t)
+    for (const std::uint32_t v : model.element(t)) state.velocity[v] = model.initial_velocity[v];
   return state;
 }
 

@@ -228,6 +228,12 @@ VectorXd ElasticSystem::hessian_times(const VectorXd& u, const ViscousStep& visc
   return product;
 }
 
+double ElasticSystem::largest_coordinate() const {
+  double largest = 0;
+  for (const Vector3d& x : model_.rest_positions) largest = std::max(largest, x.lpNorm<Eigen::Infinity>());
+  return largest;
+}
+
 bool ElasticSystem::viscous() const {
   return std::any_of(model_.materials.begin(), model_.materials.end(), [](const Material& m) { return m.damping > 0; });
 }

@@ -51,6 +51,7 @@ class ElasticSystem {
   const SparseMatrix& empty_hessian() const { return pattern_; }
   const EliminationTree& elimination_tree() const { return tree_; }  // of the free vertices, three unknowns each
 
+  double largest_coordinate() const;                                     // of a rest position [m]
   bool viscous() const;                                                  // whether any material has damping
   std::vector<Eigen::Matrix3d> strains(const Eigen::VectorXd& u) const;  // Green strain: one per linear tet, four per
                                                                          // quadratic one, at its points

@@ -19,6 +19,10 @@ constexpr double roundings = 32;  // of an objective, in those of its terms
 // Near the minimum objectives differ by rounding alone, which in stiff bodies that turn is more than that of the terms;
 // slopes still tell (Hager, Zhang 2005, approximate Wolfe conditions). Of the terms:
 constexpr double level = 1e-10;
+// Newton's steps shrink quadratically. As many in a row as small as this, in coordinates, that leave the gradient as
+// large as it was are rounding, also where its bound is too narrow: far displacements of stiff bodies, large tools.
+constexpr double still_step = 1e-12;
+constexpr int still_steps = 4;
 
 }  // namespace
 
@@ -189,11 +193,13 @@ NewtonReport Minimizer::descend(const Potential& potential, double tolerance, co
   Value value = evaluate(potential, u);
   bool reuse = has_factor_of(potential);
   double previous = std::numeric_limits<double>::infinity();
+  int still = 0;
+  const double coordinate = system_.largest_coordinate();
   if (!reuse) rounding_ = 0;
   for (;; ++report.iterations) {
     const double residual = value.gradient.norm();
     report.relative_residual = residual == 0 ? 0 : residual / value.force_scale;
-    const bool at_rounding = residual <= rounding_ && residual > 0.5 * previous;
+    const bool stays = residual > 0.5 * previous, at_rounding = residual <= rounding_ && stays;
     const bool inside_out = limits.upright && system_.min_det_f(u) <= 0;
     report.converged = !inside_out && (report.relative_residual <= tolerance || at_rounding);
     if (report.converged || inside_out || report.iterations == limits.iterations || limits.stop.stop_requested())
@@ -201,6 +207,12 @@ NewtonReport Minimizer::descend(const Potential& potential, double tolerance, co
 
     if (!reuse) factorize(potential, u);
     const VectorXd direction = -solve(value.gradient);
+    const double smallest = still_step * std::max(coordinate, u.lpNorm<Eigen::Infinity>());
+    still = stays && direction.lpNorm<Eigen::Infinity>() <= smallest ? still + 1 : 0;
+    if (still == still_steps) {
+      report.converged = true;
+      return report;
+    }
     double step = 0;
     const VectorXd before = reuse ? u : VectorXd();
     const bool found = line_search(potential, direction, u, value, step);

@@ -89,6 +89,8 @@ void check_motion(const Node& values) {
   if (to) values.at("duration", "the seconds until it is at to; an instrument that stands has from alone");
   if (duration) values.at("to", "the place [x, y, z] where it is after duration [m]");
   if (start) values.at("to", "the place [x, y, z] to which it moves from start on [m]");
+  if (!to && (values.find("shape") || values.find("jaws")))
+    values.at("from", "the place [x, y, z] where it stands [m], or from, to and duration");
 }
 
 json taken(json& values, const std::string& key, json otherwise = {}) {

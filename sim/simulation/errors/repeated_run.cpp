@@ -38,7 +38,7 @@ std::optional<Trajectory> followed(Simulation& run, long steps, const std::optio
   }
   const State last = end ? *end : run.state();
   if (steps > 0) motion.displacement.back() = last.displacement;
-  motion.peak_stress = peak_of(nodal_stress(run.model, last, stop), run.model).p99;
+  motion.peak_stress = peak_beyond_rounding(run.model, last, stop);
   return motion;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 using namespace fascia;
 
@@ -23,8 +25,7 @@ struct World {
     trial.substeps = substeps;
     trial.mesh = 0.1 / refinement + 0.02;
     trial.time = 0.01 / substeps;
-    trial.few = std::min(5, iterations);
-    trial.many = std::max(10, iterations);
+    (iterations < trial.many ? trial.few : trial.many) = iterations;
     const auto solver = [&](int its) { return 0.1 * refinement * std::exp(-0.5 * its); };
     const auto ms = [&](int its) { return 1e-4 * static_cast<double>(trial.tets) * substeps * (2 + its); };
     trial.solver_few = solver(trial.few);
@@ -119,6 +120,24 @@ TEST_CASE("a mesh on which the scene does not run is left out") {
   REQUIRE(plan.within);
   CHECK(plan.within->measured);
   CHECK(plan.within->refinement >= 2.6);
+}
+
+TEST_CASE("no choice is run twice, also where runs do not confirm it") {
+  World world;
+  std::vector<Trial> trials{world.trial(1, 1, 10)};
+  std::vector<std::tuple<double, int, int>> runs;
+  const Plan plan = confirmed_plan(trials, 1e-3, 1e3, {usual_refinements(), false},
+                                   [&](const Proposal& choice, const Trial*) -> std::optional<Trial> {
+                                     runs.emplace_back(choice.refinement, choice.substeps, choice.iterations);
+                                     Trial trial = world.trial(1, choice.substeps, choice.iterations);
+                                     trial.few = 4;  // the choice is not among what was measured
+                                     trial.many = 11;
+                                     return trial;
+                                   });
+  for (const auto& [refinement, substeps, iterations] : runs) UNSCOPED_INFO(substeps << " x " << iterations);
+  CHECK(std::set(runs.begin(), runs.end()).size() == runs.size());
+  CHECK(runs.size() > 1);
+  CHECK(plan.best);
 }
 
 TEST_CASE("a plan whose runs never confirm it is that of what was run, and says that it is cut off") {

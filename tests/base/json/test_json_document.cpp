@@ -62,6 +62,14 @@ TEST_CASE("numbers that are not finite are no part of JSON") {
   CHECK(error_of("\"NaN\"").empty());
 }
 
+TEST_CASE("a number that is too large for a double is named with its place") {
+  CHECK(error_of("{\"a\": 1,\n \"b\": 1e400}") ==
+        "f.json:2:7: is 1e400, which no double holds; expected at most 1.8e308");
+  CHECK(error_of("[0, -1.5e+999 , 2]") == "f.json:1:5: is -1.5e+999, which no double holds; expected at most 1.8e308");
+  CHECK_THAT(error_of("1e309"), Catch::StartsWith("f.json:1:1: is 1e309, "));
+  CHECK(error_of("1" + std::string(10000, '0')).size() < 300);
+}
+
 TEST_CASE("a source with control characters is named on one line") {
   CHECK_THROWS_WITH(parse_json("[", "--grab a\x1b"), Catch::StartsWith("\"--grab a\\u001b\":1:2: "));
 }

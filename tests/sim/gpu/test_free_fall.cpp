@@ -58,3 +58,18 @@ TEST_CASE("unconstrained bodies fall freely, for any stiffness and size", "[gpu]
     CHECK(error < 1e-5 * fall.norm());
   }
 }
+
+TEST_CASE("vertices that no tet has stay where they are when their body is thrown", "[gpu]") {
+  Gpu gpu;
+  Model model = one_tet();
+  model.rest_positions.push_back({0.3, 0, 0});
+  model.file_mesh.positions = model.rest_positions;
+  model.bodies[0].vertex_count = 5;
+  model.initial_velocity.assign(5, Vector3d(1, 2, -0.5));
+  GpuSolver solver(gpu.programs, model, {});
+  for (int i = 0; i < 10; ++i) solver.step();
+  const State state = solver.download();
+  CAPTURE(state.displacement[0].transpose(), state.displacement[4].transpose());
+  CHECK(state.displacement[4] == Vector3d(0, 0, 0));
+  CHECK(state.displacement[0].x() == Approx(1.0 / 6));
+}

@@ -4,6 +4,8 @@
 #include "app/session/graphics.h"
 #include "app/session/open_input.h"
 #include "base/file.h"
+#include "sim/mesh/io/mesh_io.h"
+#include "sim/mesh/mesh_generate.h"
 #include "sim/simulation/simulation.h"
 #include "tests/support/headless.h"
 #include "tests/support/models.h"
@@ -68,6 +70,31 @@ TEST_CASE("grabs of a scene pull the GPU as they pull the reference solver") {
   for (const GrabForce& f : forces_of_grabs(newton.springs(), newton.state().displacement)) pull += f.force;
   CHECK(pull.norm() > 1e-3);
   CHECK((reaction + pull).norm() < 1e-8 * pull.norm());
+}
+
+// With a traction T on the end, u = T L / E there, and the stress is T everywhere (nu = 0).
+TEST_CASE("a grab that selects the end of a bar stretches it evenly") {
+  const std::string elements = GENERATE("linear", "quadratic");
+  TemporaryFolder folder;
+  write_mesh(folder / "bar.msh", make_box(6, 2, 2, {0.3, 0.1, 0.1}));
+  write_file(folder / "bar.json",
+             R"({"fascia_scene": 1, "gravity": [0, 0, 0], "bodies": [{"mesh": "bar.msh", "elements": ")" + elements +
+                 R"(", "materials": {"default": {"young_modulus": 1e5, "poisson_ratio": 0,
+      "model": "st_venant_kirchhoff"}}, "fixed": [{"box": [[-1, -1, -1], [1e-6, 1, 1]]}]}],
+      "grabs": [{"select": {"box": [[0.2999, -1, -1], [1, 1, 1]]}, "translate": [0.003, 0, 0], "stiffness": 500}]})");
+  Simulation bar(open_scene(folder / "bar.json"), nullptr, true);
+  REQUIRE(bar.solve_static().converged);
+  double least = 1, most = 0;
+  for (std::size_t v = 0; v < bar.model.rest_positions.size(); ++v)
+    if (bar.model.rest_positions[v].x() > 0.2999) {
+      least = std::min(least, bar.state().displacement[v].x());
+      most = std::max(most, bar.state().displacement[v].x());
+    }
+  const reference::Measures measures = reference::measure(bar.model, bar.state());
+  CAPTURE(elements, least, most, measures.max_von_mises);
+  CHECK(most - least < 1e-6 * most);
+  CHECK(most == Approx(500 * 0.003 / (500 + 1e5 * 0.01 / 0.3)).epsilon(5e-3));  // apart from the stretch squared
+  CHECK(measures.max_von_mises == Approx(1e5 * most / 0.3).epsilon(5e-3));
 }
 
 TEST_CASE("a replay repeats grabs of the mouse in addition to those of its scene to the bit, once") {

@@ -292,7 +292,8 @@ TEST_CASE("repairs and risks are noted") {
                                                 "liver: 2 tets duplicated, left out of the physics (first: tet 4)",
                                                 "liver: 1 vertex in no tet, kept in exports",
                                                 "liver: default: Poisson's ratio 0.47; linear tets lock above 0.45: "
-                                                "expect too little motion on a coarse mesh"});
+                                                "expect too little motion on a coarse mesh, or use --set "
+                                                "elements=quadratic"});
   CHECK(model.tets.size() == 2);
   CHECK(model.tet_source == Indices{0, 1});
   CHECK(model.tet_material == Indices{0, 1});

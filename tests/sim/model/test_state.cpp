@@ -19,6 +19,18 @@ TEST_CASE("a model starts at rest, with its initial velocities, at time 0") {
   CHECK(state.displacement == std::vector<Vector3d>(12, Vector3d(0, 0, 0)));
 }
 
+TEST_CASE("a vertex that no tet has is at rest, whatever the velocity of its body") {
+  TetMesh mesh = make_box(2, 1, 1, {1, 1, 1});
+  mesh.positions.insert(mesh.positions.begin(), {0.5, 0.5, 0.5});
+  for (Tet& tet : mesh.tets)
+    for (std::uint32_t& v : tet) ++v;
+  Model model = test::make_model(mesh, Material{}, [](const Vector3d&) { return false; });
+  model.initial_velocity.assign(mesh.positions.size(), Vector3d(1, 2, -0.5));
+  const State state = initial_state(model);
+  CHECK(state.velocity[0] == Vector3d(0, 0, 0));
+  CHECK(state.velocity[1] == Vector3d(1, 2, -0.5));
+}
+
 TEST_CASE("a state is finite if every displacement and every velocity is") {
   const Model model = test::make_model(make_box(2, 1, 1, {1, 1, 1}), Material{}, [](const Vector3d&) { return false; });
   const State good = initial_state(model);

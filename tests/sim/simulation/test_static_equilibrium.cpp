@@ -56,6 +56,21 @@ TEST_CASE("after a static solve by the reference solver its forces of contact ar
   }
 }
 
+TEST_CASE("a body that falls far onto the ground ends at rounding, whatever its stiffness", "[static]") {
+  for (const double height : {0.2, 0.4, 1.0})
+    for (const double modulus : {1e4, 1e5, 1e6, 1e7}) {
+      FreeCube cube;
+      cube.scene.bodies[0].transform.translate = {0, height, 0};
+      cube.scene.bodies[0].material.young_modulus = modulus;
+      Simulation simulation(cube.scene, nullptr, true);
+      const StaticReport report = simulation.solve_static();
+      CAPTURE(height, modulus, describe(report));
+      CHECK(report.converged);
+      CHECK(report.newton_iterations < 200);
+      CHECK(simulation.newton_tool_loads().at(0).force.y() == Approx(9.81).epsilon(1e-6));
+    }
+}
+
 TEST_CASE("a search with news finds the same to the bit, and stops when it is asked to", "[static]") {
   const auto found = [](const std::function<void(const StaticReport&)>& news) {
     Simulation simulation(FreeCube().scene, nullptr, true);

@@ -54,7 +54,7 @@ TEST_CASE("a tool may be a mesh, whose path is kept") {
   CHECK(SceneFile(scene_to_json(file.open(), file.path().parent_path())).open().tools == tools);
   scale_lengths(tools, 10);
   CHECK(mesh().scale == 0.1);
-  CHECK(instrument_document("name=a;shape=mesh;file=b.obj;scale=0.1")["shape"] ==
+  CHECK(instrument_document("name=a;shape=mesh;file=b.obj;scale=0.1;from=0,0,0")["shape"] ==
         nlohmann::json::parse(R"({"mesh": {"file": "b.obj", "scale": 0.1}})"));
   CHECK(SceneFile(scene_text("", R"("obstacles": [{"name": "rest", "shape": {"mesh": {}}}])"))
             .open_error()
@@ -123,8 +123,8 @@ TEST_CASE("mistakes in an instrument's text are errors that name the key") {
       {"name=a;oops", "oops is not KEY=VALUE; expected such as name=probe"},
       {"name=a;name=b", "name is given twice; expected each key once"},
       {ball + "lenght=1", "lenght: unknown key \"lenght\", perhaps \"length\"; expected one of name, shape,"},
-      {"shape=sphere;radius=1", "instruments[0].name: is missing"},
-      {"name=;shape=sphere;radius=1", "has an empty name"},
+      {"shape=sphere;radius=1;from=0,0,0", "instruments[0].name: is missing"},
+      {"name=;shape=sphere;radius=1;from=0,0,0", "has an empty name"},
       {"name=a", "has no shape; expected one of shape and jaws"},
       {"name=a;shape=spere;radius=1",
        "shape: there is no shape \"spere\", perhaps \"sphere\"; expected one of sphere,"},
@@ -132,7 +132,8 @@ TEST_CASE("mistakes in an instrument's text are errors that name the key") {
       {"name=a;shape=box", "half_size: is missing; expected it beside shape=box"},
       {"name=a;shape=plane", "normal: is missing; expected it beside shape=plane"},
       {"name=a;shape=mesh", "file: is missing; expected it beside shape=mesh"},
-      {"name=a;shape=mesh;file=", "instruments[0].shape.mesh.file: is \"\"; expected the path of a closed surface"},
+      {"name=a;shape=mesh;file=;from=0,0,0",
+       "instruments[0].shape.mesh.file: is \"\"; expected the path of a closed surface"},
       {rod, "length: is missing; expected it beside shape=capsule"},
       {rod + "length=abc", "length: is \"abc\"; expected a number, 1e-09 to 1e+06 m"},
       {rod + "length=1,2", "length: is [1,2]; expected a number"},
@@ -142,14 +143,19 @@ TEST_CASE("mistakes in an instrument's text are errors that name the key") {
       {ball + "length=1", "length: is no value of a sphere; expected radius, center"},
       {"name=a;jaws={\"shape\":{\"sphere\":{\"radius\":1}}};radius=1", "radius: goes with the name of a shape"},
       {"name=a;shape={\"sphere\":{\"radius\":1}};radius=1", "radius: goes with the name of a shape"},
-      {"name=a;shape=sphere;radius=-1", "instruments[0].shape.sphere.radius: is -1; expected 1e-09 to 1e+06 m"},
-      {"name=a;shape=sphere;radius=nan", "instruments[0].shape.sphere.radius: is \"nan\"; expected a number"},
-      {"name=a;shape=cylinder;radius=0.1;length=0.1;round=0.06",
+      {"name=a;shape=sphere;radius=-1;from=0,0,0",
+       "instruments[0].shape.sphere.radius: is -1; expected 1e-09 to 1e+06 m"},
+      {"name=a;shape=sphere;radius=nan;from=0,0,0",
+       "instruments[0].shape.sphere.radius: is \"nan\"; expected a number"},
+      {"name=a;shape=cylinder;radius=0.1;length=0.1;round=0.06;from=0,0,0",
        "instruments[0].shape.cylinder.round: is 0.06; expected 0 to 0.05 m, at most the radius and half of the length"},
-      {ball + "friction=-1", "instruments[0].friction: is -1; expected 0 to 10"},
-      {ball + "interpolate=cubic", "instruments[0].interpolate: is \"cubic\"; expected \"linear\" or \"smooth\""},
-      {ball + "grip=1", "instruments[0].path[0].grip: has no jaws to close"},
-      {ball + "rotate_deg=1", "instruments[0].path[0].rotate_deg: is 1; expected a list of 3 numbers"},
+      {ball + "friction=-1;from=0,0,0", "instruments[0].friction: is -1; expected 0 to 10"},
+      {ball + "interpolate=cubic;from=0,0,0",
+       "instruments[0].interpolate: is \"cubic\"; expected \"linear\" or \"smooth\""},
+      {ball + "grip=1;from=0,0,0", "instruments[0].path[0].grip: has no jaws to close"},
+      {ball + "rotate_deg=1;from=0,0,0", "instruments[0].path[0].rotate_deg: is 1; expected a list of 3 numbers"},
+      {ball, "from: is missing; expected the place [x, y, z] where it stands [m], or from, to and duration"},
+      {ball + "rotate_deg=0,90,0", "from: is missing; expected the place [x, y, z] where it stands [m]"},
       {ball + "from=0,1", "from: is [0,1]; expected a list of 3 numbers [m]"},
       {ball + "from=0,nan,0", "from[1]: is \"nan\"; expected a number"},
       {ball + "from=0,1,0;to=0,0,0", "duration: is missing; expected the seconds until it is at to"},

@@ -33,7 +33,7 @@ TEST_CASE("a name given twice is an error, of bodies and tools in any order") {
   CHECK(error(scene_of(R"({"name": "b,c", "mesh": "m.msh"}, {"name": "b_c", "mesh": "m.msh"})")) ==
         "s.json: bodies[1].name: \"b_c\" is the name of bodies[0]" + expected);  // the same columns
   CHECK(SceneFile(scene_of(a + "," + other)).open().bodies.size() == 2);
-  CHECK(SceneFile(scene_of(a)).open_error({"--instrument name=a;shape=sphere;radius=1"}) ==
+  CHECK(SceneFile(scene_of(a)).open_error({"--instrument name=a;shape=sphere;radius=1;from=0,0,0"}) ==
         "--instrument: \"a\" is the name of bodies[0]" + expected);
   CHECK(SceneFile(scene_of(a)).open_error({"bodies[1].mesh=m.msh", "bodies[1].name=a"}) ==
         "--set bodies[1].name: \"a\" is the name of bodies[0]" + expected);

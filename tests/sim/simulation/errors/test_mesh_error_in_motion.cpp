@@ -3,9 +3,13 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "sim/accuracy/displacement_rounding.h"
 #include "sim/accuracy/mesh_error.h"
 #include "sim/grab/build_model.h"
 #include "sim/mesh/mesh_generate.h"
+#include "sim/simulation/errors/solver_error.h"
+#include "sim/simulation/errors/time_error.h"
+#include "sim/simulation/errors/true_error.h"
 #include "tests/support/gpu/gpu_fixture.h"
 
 using namespace fascia;
@@ -104,6 +108,32 @@ TEST_CASE("the mesh's estimated error over a run is near the error against a fin
   CHECK(estimate.complete);
   CHECK(estimate.over_run > c.least * error);
   CHECK(estimate.over_run < c.most * error);
+}
+
+TEST_CASE("a body that flies freely has no error of shape or stress, although rounding deforms it") {
+  nlohmann::json document = scene_of_bar(GENERATE("linear", "quadratic"));
+  document["bodies"][0].erase("fixed");
+  document["bodies"][0]["initial_velocity"] = {1, 2, -0.5};
+  Gpu gpu;
+  const auto run = bar_of(gpu, document, 1);
+  for (int step = 0; step < 10; ++step) run->step();
+  const State state = run->state();
+  const double peak = peak_of(nodal_stress(run->model, state), run->model).p99;
+  const MeshError of_state = estimate_mesh_error(run->model, state);
+  const RunError over_run = estimate_mesh_error_in_motion(*run, &gpu.programs);
+  const RunError of_solver = estimate_solver_error(*run, &gpu.programs);
+  const TimeError in_time = estimate_time_error(*run, &gpu.programs);
+  CAPTURE(document["bodies"][0]["elements"], peak, stress_of_rounding(run->model, state), of_state.peak,
+          over_run.relative, of_solver.relative, in_time.relative);
+  CHECK(peak < 0.5 * stress_of_rounding(run->model, state));
+  CHECK(of_state.displacement == 0);
+  CHECK(of_state.peak_stress == 0);
+  CHECK(over_run.relative < 1e-5);
+  CHECK(over_run.peak_stress == 0);
+  CHECK(of_solver.peak_stress == 0);
+  CHECK(in_time.peak_stress == 0);
+  TrueError measured;
+  CHECK(measured.measure(*run).peak_stress.solver == 0.0);
 }
 
 TEST_CASE("a mesh has no error over a run without steps, and none is told of a repetition that was stopped") {
