@@ -1,5 +1,6 @@
 // Curvature of the energy of contact along z_f and z_c, sums over the listed points, behind those of the tets; and how
 // the depth of each changes along z_f, z_c and p. After contact_force and two_level_correct.
+#include "common/finite.glsl"
 #include "common/io.glsl"
 #include "common/reduce.glsl"
 #include "common/step.glsl"
@@ -34,7 +35,8 @@ void main() {
 #if SPLIT
     vec3 coarse = AT_POINT(coarse_direction, vertices, weights);
     sum.yz += vec2(dot(coarse, h), dot(coarse, times(block, coarse)));
-    along.y = dot(pressing.xyz, coarse);
+    float along_coarse = dot(pressing.xyz, coarse);
+    if (is_finite(along_coarse)) along.y = along_coarse;  // else the step goes without it
 #endif
     contact_along[k] = SUBSTEP * along;
   }

@@ -8,10 +8,10 @@
 // tissue, whose energy is of fourth order in the displacement). A step without a descending slope is discarded
 // entirely, and with FINAL every step that raised the objective. Unless `remembers` is set, and in the first iteration,
 // the span is that of z_f and z_c.
-// In contact, with OBJECTIVES_BEFORE, a step may raise the objective as long as that stays below the highest of the last
-// three (Grippo, Lampariello, Lucidi 1986): what begins to press is not in the curvature, so that many steps raise it a
-// little, and the next one, which knows what presses, finds more than a part of them would.
-// With PRESSING_ROWS the model has the rows of contact in it where they press (pressing_step.glsl).
+// In contact, with PRESSING_ROWS, the model has the rows of contact in it where they press (pressing_step.glsl). A step may
+// then raise the objective as long as that stays below the highest of the last three (Grippo, Lampariello, Lucidi 1986):
+// what begins to slip is not in the curvature, so that some steps raise it a little, and the next one, which knows it, finds
+// more than a part of them would.
 // For kernels that have declared `dot_partials`: [3 * partials] of vertices, then [curvature_count] of tets.
 #include "common/finite.glsl"
 #include "sim/two_level/slice_sum.glsl"
@@ -22,7 +22,7 @@ uniform uint remembers;  // 0 or 1
 #endif
 INOUT(float, SubspaceState, subspace_state)
 #define EIGENVALUE_FLOOR 0.03
-#define ROWS_ROUNDING 1e-5
+#define ROWS_ROUNDING 1e-5       // of the rows' part in float32 sums, from which it is taken
 #define OBJECTIVE_ROUNDING 2e-6  // of float32 sums of some thousand terms
 
 // One Jacobi rotation: makes a[p][q] zero. v collects the eigenvectors in its columns.
@@ -105,7 +105,7 @@ void solve_subspace_step(uint lane) {
     for (uint row = 0u; row < 4u; ++row) sums[row] = sum_of_slices(row, 4u);
     float objective = sums[0].w;
     float before = subspace_state[SUBSPACE_OBJECTIVE], highest = before;
-#if defined OBJECTIVES_BEFORE && !FINAL
+#ifdef PRESSING_ROWS
     if (remembers != 0u) highest = max(before, max(subspace_state[SUBSPACE_EARLIER], subspace_state[SUBSPACE_EARLIER + 1u]));
 #endif
     // Any step from a start with an overflowing objective is accepted; an empty step cannot raise the objective, whatever
@@ -119,7 +119,7 @@ void solve_subspace_step(uint lane) {
     if (!accepted) step = vec3(0.0, 0.0, -1.0);
 #else
     if (accepted) {
-#ifdef OBJECTIVES_BEFORE
+#ifdef PRESSING_ROWS
       float earlier = is_finite(before) ? before : objective;
       subspace_state[SUBSPACE_EARLIER + 1u] = remembers != 0u ? subspace_state[SUBSPACE_EARLIER] : earlier;
       subspace_state[SUBSPACE_EARLIER] = earlier;

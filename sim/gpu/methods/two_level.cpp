@@ -336,7 +336,7 @@ Passes TwoLevelMethod::subspace_step(const Recording& r, bool first, bool last) 
       append(passes, term->curvature(r.programs, r.buffers, at));
       next += term->curvature_partials(r.programs);
       if (const std::optional<PressingRows> rows = term->pressing()) {
-        solve.defines = {{"OBJECTIVES_BEFORE", "1"}, {"PRESSING_ROWS", "1"}};
+        solve.defines = {{"PRESSING_ROWS", "1"}};
         solve.bindings.insert(solve.bindings.end(), {{"contact_along", &rows->along}, {"contact_list", &rows->list}});
         loops += rows->loops;
       }
