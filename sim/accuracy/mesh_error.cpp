@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/accuracy/displacement_rounding.h"
 #include "sim/accuracy/finer_solution.h"
 #include "sim/accuracy/nodal_stress.h"
 #include "sim/accuracy/recovered_stress.h"

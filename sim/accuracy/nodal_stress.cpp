@@ -8,7 +8,6 @@
 #include <map>
 #include <numeric>
 
-#include "sim/accuracy/displacement_rounding.h"
 #include "sim/accuracy/recovered_stress.h"
 #include "sim/elements/quadratic_tet.h"
 
@@ -163,6 +162,18 @@ PeakStress peak_of(const NodalStress& stress, const Model& model) {
     return {kUnknown, kUnknown};
   return {values.empty() ? 0 : *std::max_element(values.begin(), values.end()),
           exceeded_by_a_hundredth(values, vertex_volumes(model))};
+}
+
+double stress_of_rounding(const Model& model, const State& state) {
+  std::vector<double> stresses, volumes;
+  for (std::size_t t = 0; t < model.tets.size(); ++t) {
+    double farthest = 0;
+    for (const std::uint32_t v : model.element(t)) farthest = std::max(farthest, state.displacement[v].norm());
+    const double volume = volume_of(model, t), edge = std::cbrt(6 * std::sqrt(2.0) * volume);
+    stresses.push_back(kDisplacementRounding * farthest / edge * model.materials[model.tet_material[t]].young_modulus);
+    volumes.push_back(volume);
+  }
+  return exceeded_by_a_hundredth(stresses, volumes);
 }
 
 double peak_beyond_rounding(const Model& model, const State& state, const std::stop_token& stop) {

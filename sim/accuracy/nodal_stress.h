@@ -42,6 +42,13 @@ struct PeakStress {
 };
 PeakStress peak_of(const NodalStress& stress, const Model& model);
 
+/// Of a displacement, in those of neighbors: half a unit of float32 in the last place each, times what steps add up.
+/// Bodies that fly freely have up to a quarter of it. Errors relative to what it deforms would be rounding over
+/// rounding.
+inline constexpr double kDisplacementRounding = 0x1p-19;
+/// The von Mises stress that 1 % of the volume exceeds [Pa] where neighbors move apart by that rounding.
+double stress_of_rounding(const Model& model, const State& state);
+
 /// p99 of a state, or 0 where rounding of its displacements (stress_of_rounding()) may be all that it is of.
 double peak_beyond_rounding(const Model& model, const State& state, const std::stop_token& stop = {});
 

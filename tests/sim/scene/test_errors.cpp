@@ -42,7 +42,7 @@ TEST_CASE("a syntax error has its line and column") {
   check("{\n\n \"duration\": 2.5.1}", "3:17", "'2.5.'");
   check("{\"title\": \"a\nb\"}", "1:13", "control character");
   check("{\"title\": \"\xff\"}", "1:12", "UTF-8");
-  check("{\"duration\": 1e999}", "1:18", "1e999");
+  check("{\"duration\": 1e999}", "1:14", "1e999");
   check("{\"duration\": NaN}", "1:14", "N");
   check(scene_text() + "}", "1:51", "end of input");
   check("{\"title\": \"" + std::string(100000, 'x'), "1:100012", "missing closing quote");

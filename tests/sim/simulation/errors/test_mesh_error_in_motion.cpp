@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "sim/accuracy/displacement_rounding.h"
 #include "sim/accuracy/mesh_error.h"
 #include "sim/grab/build_model.h"
 #include "sim/mesh/mesh_generate.h"
