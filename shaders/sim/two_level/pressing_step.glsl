@@ -7,7 +7,9 @@
 INPUT_VEC4(ContactAlong, contact_along)  // [rows] [kg^1/2 m]
 INPUT_UINT(ContactList, contact_list)    // their number in [3]
 #define MOST_PRESSING_PASSES 6u  // sim/gpu/contact/contact_passes.cpp
-shared vec4 pressing_sums[3u * uint(GROUP_SIZE)];
+// Slices of the rows, whose number is not that of invocations: sums have the same bits in a fused program.
+#define PRESSING_SLICES 64u
+shared vec4 pressing_sums[3u * PRESSING_SLICES];
 shared vec4 pressing_at;  // xyz factors to look at, w 0 when the search has ended
 
 // What the rows do at s, against s = 0, summed.
@@ -34,40 +36,65 @@ void add_row(inout PressingSums sums, vec4 row, vec3 s) {
   }
 }
 
-// Called by all invocations of the group: leaves the sum in pressing_sums[0] to [2], for the first one.
-void sum_rows(uint lane, PressingSums sums) {
-  pressing_sums[lane] = vec4(sums.slope, sums.energy);
-  pressing_sums[uint(GROUP_SIZE) + lane] = vec4(sums.own, 0.0);
-  pressing_sums[2u * uint(GROUP_SIZE) + lane] = vec4(sums.mixed, 0.0);
+// Row k, or one that never presses. Eight of a slice at a time: software renderers bound the number of loops.
+vec4 along_of(uint k, uint rows) {
+  vec4 row = FETCH(contact_along, min(k, rows - 1u));
+  return k < rows ? row : vec4(0.0, 0.0, 0.0, -1.0);
+}
+#define FOR_ROWS_OF_SLICE(k, slice, rows, f)                             \
+  for (uint k = slice; k < rows; k += 8u * PRESSING_SLICES) {            \
+    f(k) f(k + PRESSING_SLICES) f(k + 2u * PRESSING_SLICES) f(k + 3u * PRESSING_SLICES)                       \
+    f(k + 4u * PRESSING_SLICES) f(k + 5u * PRESSING_SLICES) f(k + 6u * PRESSING_SLICES) f(k + 7u * PRESSING_SLICES) \
+  }
+
+void add_row_at_start(inout PressingSums sums, vec4 row) {
+  if (row.w > 0.0) {
+    sums.own += row.xyz * row.xyz;
+    sums.mixed += row.yxx * row.zzy;
+  }
+  sums.slope += (max(row.w + row.z, 0.0) - max(row.w, 0.0)) * row.xyz;
+}
+
+void store_slice(uint slice, PressingSums sums) {
+  pressing_sums[slice] = vec4(sums.slope, sums.energy);
+  pressing_sums[PRESSING_SLICES + slice] = vec4(sums.own, 0.0);
+  pressing_sums[2u * PRESSING_SLICES + slice] = vec4(sums.mixed, 0.0);
+}
+
+// Called by all invocations of the group, after store_slice() for all slices: leaves the sums in pressing_sums[0] to [2].
+void sum_slices(uint lane) {
   barrier();
   vec4 sum = vec4(0.0);
   if (lane < 3u)
-    for (uint k = 0u; k < uint(GROUP_SIZE); ++k) sum += pressing_sums[lane * uint(GROUP_SIZE) + k];
+    for (uint k = 0u; k < PRESSING_SLICES; ++k) sum += pressing_sums[lane * PRESSING_SLICES + k];
   barrier();
   if (lane < 3u) pressing_sums[lane] = sum;
   barrier();
 }
 
-// Of a lane: the second derivatives at s = 0, and as `slope` what the change of the gradient over the last step has of the rows.
-PressingSums rows_at_start(uint lane) {
-  PressingSums sums = PressingSums(0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+// The second derivatives at s = 0, and as `slope` what the change of the gradient over the last step has of the rows.
+void sum_rows_at_start(uint lane) {
   uint rows = FETCH1(contact_list, 3u);
-  for (uint k = lane; k < rows; k += uint(GROUP_SIZE)) {
-    vec4 row = FETCH(contact_along, k);
-    if (row.w > 0.0) {
-      sums.own += row.xyz * row.xyz;
-      sums.mixed += row.yxx * row.zzy;
-    }
-    sums.slope += (max(row.w + row.z, 0.0) - max(row.w, 0.0)) * row.xyz;
+  for (uint slice = lane; slice < PRESSING_SLICES; slice += uint(GROUP_SIZE)) {
+    PressingSums sums = PressingSums(0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+#define ADD(row) add_row_at_start(sums, along_of(row, rows));
+    FOR_ROWS_OF_SLICE(k, slice, rows, ADD)
+#undef ADD
+    store_slice(slice, sums);
   }
-  return sums;
+  sum_slices(lane);
 }
 
-PressingSums rows_at(uint lane, vec3 s) {
-  PressingSums sums = PressingSums(0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+void sum_rows(uint lane, vec3 s) {
   uint rows = FETCH1(contact_list, 3u);
-  for (uint k = lane; k < rows; k += uint(GROUP_SIZE)) add_row(sums, FETCH(contact_along, k), s);
-  return sums;
+  for (uint slice = lane; slice < PRESSING_SLICES; slice += uint(GROUP_SIZE)) {
+    PressingSums sums = PressingSums(0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+#define ADD(row) add_row(sums, along_of(row, rows), s);
+    FOR_ROWS_OF_SLICE(k, slice, rows, ADD)
+#undef ADD
+    store_slice(slice, sums);
+  }
+  sum_slices(lane);
 }
 
 mat3 quadratic_part(SpanModel model) {
@@ -76,7 +103,7 @@ mat3 quadratic_part(SpanModel model) {
   return sum;
 }
 
-// With the second derivatives of rows, those of sum_rows().
+// With the second derivatives of the rows that were summed.
 mat3 with_rows(mat3 quadratic, vec3 scale) {
   vec3 own = pressing_sums[1].xyz * scale * scale, mixed = pressing_sums[2].xyz * scale.yxx * scale.zzy;
   return quadratic + mat3(vec3(own.x, mixed.z, mixed.y), vec3(mixed.z, own.y, mixed.x), vec3(mixed.y, mixed.x, own.z));
@@ -92,7 +119,7 @@ vec3 solved(mat3 a, vec3 b) {
   return vec3((y0 - l10 * x1 - l20 * x2) / l00, x1, x2);
 }
 
-// By the first invocation, after sum_rows() of rows_at_start().
+// By the first invocation, after sum_rows_at_start().
 void begin_search(SpanModel model) {
   vec3 x = solved(with_rows(quadratic_part(model), model.scale), -model.slope);
   pressing_at = vec4(x * model.scale, 1.0);
@@ -109,7 +136,7 @@ vec3 least_in_span(uint lane, SpanModel model) {
     barrier();
     vec4 at = pressing_at;
     if (at.w == 0.0) break;
-    sum_rows(lane, rows_at(lane, at.xyz));
+    sum_rows(lane, at.xyz);
     if (lane == 0u) {
       vec3 x = vec3(0.0);
       for (int k = 0; k < 3; ++k)

@@ -92,7 +92,7 @@ void solve_subspace_step(uint lane) {
     sum_slice(slice, 4u, row * partials, count);
   }
 #ifdef PRESSING_ROWS
-  sum_rows(lane, rows_at_start(lane));
+  sum_rows_at_start(lane);
 #endif
   barrier();
   vec3 step = vec3(0.0), last = vec3(0.0);

@@ -248,10 +248,14 @@ EnergyTerm::Passes ContactTerm::curvature(gl::ProgramCache& programs, const SimB
   return passes;
 }
 
+// As shaders/sim/two_level/pressing_step.glsl goes over them: in passes, the first one at the start, over slices, each
+// of which an invocation has in parts of eight rows, and then over the sums of the slices.
 std::optional<PressingRows> ContactTerm::pressing() const {
-  constexpr std::uint32_t kPasses = 7;  // shaders/sim/two_level/pressing_step.glsl, with the one at the start
+  constexpr std::uint32_t kPasses = 7, kSlices = 64, kPart = 8;
+  constexpr std::uint32_t kSlicesOfInvocation = kSlices / 4;  // where vectors are narrow
   const std::uint32_t most = point_count() + pairs_.slot_count();
-  return PressingRows{along_, list_, kPasses * (most / Reduction::kGroup + Reduction::kGroup + 2)};
+  const std::uint32_t of_slice = most / (kPart * kSlices) + 2;
+  return PressingRows{along_, list_, kPasses * (kSlicesOfInvocation * (of_slice + 1) + kSlices + 1)};
 }
 
 EnergyTerm::Passes ContactTerm::impulses(gl::ProgramCache& programs, const SimBuffers& buffers) const {
