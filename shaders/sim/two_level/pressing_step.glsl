@@ -3,7 +3,8 @@
 //   y = contact_along[r].w - dot(contact_along[r].xyz, s)
 // at factors s of z_f, z_c and p. What remains of the model without the rows is quadratic; with them it is convex and piecewise quadratic,
 // and Newton's method (Qi, Sun 1993) finds the minimum: the first step is that of the whole quadratic model, the next ones know what presses
-// where it leads. Each step is halved while it does not descend.
+// where it leads. The lowest place of all passes is the result. Of a search that has found none, whose steps go in circles, the last ones are
+// cut back to s = 0.
 INPUT_VEC4(ContactAlong, contact_along)  // [rows] [kg^1/2 m]
 INPUT_UINT(ContactList, contact_list)    // their number in [3]
 #define MOST_PRESSING_PASSES 6u  // sim/gpu/contact/contact_passes.cpp
@@ -19,12 +20,14 @@ struct PressingSums {
   vec3 own, mixed;  // second derivatives of y^2/2: ff, cc, pp and cp, fp, fc
 };
 
+void add_curvature(inout PressingSums sums, vec4 row) {
+  sums.own += row.xyz * row.xyz;
+  sums.mixed += row.yxx * row.zzy;
+}
+
 void add_row(inout PressingSums sums, vec4 row, vec3 s) {
   float change = dot(row.xyz, s), y = row.w - change;
-  if (y > 0.0) {
-    sums.own += row.xyz * row.xyz;
-    sums.mixed += row.yxx * row.zzy;
-  }
+  if (y > 0.0) add_curvature(sums, row);
   // Differences are taken row by row: most of what rows bear balances the tissue.
   if (row.w > 0.0) {
     float less = y > 0.0 ? change : row.w;
@@ -48,10 +51,7 @@ vec4 along_of(uint k, uint rows) {
   }
 
 void add_row_at_start(inout PressingSums sums, vec4 row) {
-  if (row.w > 0.0) {
-    sums.own += row.xyz * row.xyz;
-    sums.mixed += row.yxx * row.zzy;
-  }
+  if (row.w > 0.0) add_curvature(sums, row);
   sums.slope += (max(row.w + row.z, 0.0) - max(row.w, 0.0)) * row.xyz;
 }
 
