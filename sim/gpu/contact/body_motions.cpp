@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -86,6 +87,7 @@ class Problem {
     std::erase_if(contacts_, [&](const BodyContact& c) {
       return c.bound <= 0 && c.before + c.stiffness * (c.depth + reach) <= 0;
     });
+    for (const BodyContact& c : contacts_) sides_.push_back({side(c, 0), side(c, 1)});
   }
 
   Index unknowns() const { return pull_.size(); }
@@ -101,8 +103,9 @@ class Problem {
     double energy = 0.5 * d.dot(borne) - d.dot(pull_);
     gradient = borne - pull_;
     if (hessian) *hessian = inertia_;
-    for (const BodyContact& c : contacts_) {
-      const Side sides[] = {side(c, 0), side(c, 1)};
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const BodyContact& c = contacts_[k];
+      const Sides& sides = sides_[k];
       const Vector3d way = way_of(sides, d);
       const Pressing pressing = pressing_of(c.before + c.stiffness * (c.depth - c.normal.dot(way)), round);
       energy += pressing.integral / c.stiffness;
@@ -128,12 +131,12 @@ class Problem {
     std::vector<BodyMotion> result(first_.size());
     for (std::size_t b = 0; b < first_.size(); ++b)
       if (first_[b] >= 0) result[b] = {d.segment<3>(first_[b]), d.segment<3>(first_[b] + 3) / radius_[b]};
-    for (const BodyContact& c : contacts_) {
-      const Side sides[] = {side(c, 0), side(c, 1)};
-      const Vector3d force = force_of(c, way_of(sides, d));
-      for (std::size_t k = 0; k < 2; ++k)
-        if (const Side& s = sides[k]; s.first >= 0)
-          result[c.bodies[k]].moments += s.sign * radius_[c.bodies[k]] * force * s.arm.transpose();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const BodyContact& c = contacts_[k];
+      const Vector3d force = force_of(c, way_of(sides_[k], d));
+      for (std::size_t side = 0; side < 2; ++side)
+        if (const Side& s = sides_[k][side]; s.first >= 0)
+          result[c.bodies[side]].moments += s.sign * radius_[c.bodies[side]] * force * s.arm.transpose();
     }
     return result;
   }
@@ -145,13 +148,14 @@ class Problem {
     double sign;
     Vector3d arm;  // from the center, over the radius
   };
+  using Sides = std::array<Side, 2>;
   Side side(const BodyContact& c, std::size_t k) const {
     const std::uint32_t body = c.bodies[k];
     if (body == BodyContact::kTool || first_[body] < 0) return {-1, 0, {0, 0, 0}};
     return {first_[body], k == 0 ? 1.0 : -1.0, (c.places[k] - bodies_[body].center) / radius_[body]};
   }
   // Of the sides against each other.
-  static Vector3d way_of(const Side (&sides)[2], const VectorXd& d) {
+  static Vector3d way_of(const Sides& sides, const VectorXd& d) {
     Vector3d way(0, 0, 0);
     for (const Side& s : sides)
       if (s.first >= 0) way += s.sign * (d.segment<3>(s.first) + d.segment<3>(s.first + 3).cross(s.arm));
@@ -163,7 +167,7 @@ class Problem {
     return force + within(c.tangential - c.sliding * (way - way.dot(c.slip_normal) * c.slip_normal), c.bound);
   }
   // `block`: the second derivatives by the way of the sides against each other.
-  static void add(const Matrix3d& block, const Side (&sides)[2], MatrixXd& hessian) {
+  static void add(const Matrix3d& block, const Sides& sides, MatrixXd& hessian) {
     for (const Side& row : sides)
       for (const Side& column : sides) {
         if (row.first < 0 || column.first < 0) continue;
@@ -178,6 +182,7 @@ class Problem {
 
   const std::vector<BodyInertia>& bodies_;
   std::vector<BodyContact> contacts_;  // of bodies that move, which press or may
+  std::vector<Sides> sides_;           // of contacts_
   std::vector<Index> first_;           // [body] of its unknowns, or -1
   std::vector<double> radius_;         // [body] of gyration [m]
   MatrixXd inertia_;
@@ -193,23 +198,25 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
   constexpr double kRounds[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
   constexpr double kLast = 1e-9;
   const Problem problem(bodies, contacts, length);
-  VectorXd d = VectorXd::Zero(problem.unknowns()), gradient, there;
+  VectorXd d = VectorXd::Zero(problem.unknowns()), gradient;
   const double largest = problem.largest_force();
   if (problem.unknowns() == 0 || !(largest > 0)) return problem.of_bodies(d);
   MatrixXd hessian;
   // Whether d is the minimum, after so many steps at most.
   const auto descend = [&](double round, int steps) {
+    double energy = problem.evaluate(d, round, gradient, &hessian);
     for (int step = 0; step < steps; ++step) {
-      const double energy = problem.evaluate(d, round, gradient, &hessian);
-      const VectorXd way = hessian.ldlt().solve(-gradient);
-      const double promised = -way.dot(gradient);
+      const VectorXd from = d, way = hessian.ldlt().solve(-gradient);
+      const double promised = -way.dot(gradient), before = energy;
       if (!(way.cwiseAbs().maxCoeff() > least)) return true;
       double share = 1;
-      int half = 0;
-      for (; half < kMostHalves; ++half, share *= 0.5)
-        if (problem.evaluate(d + share * way, round, there, nullptr) <= energy - kArmijo * share * promised) break;
-      if (half == kMostHalves) return false;
-      d += share * way;
+      for (int half = 0;; ++half, share *= 0.5) {
+        d = from;
+        if (half == kMostHalves) return false;
+        d += share * way;
+        energy = problem.evaluate(d, round, gradient, &hessian);
+        if (energy <= before - kArmijo * share * promised) break;
+      }
     }
     return false;
   };
