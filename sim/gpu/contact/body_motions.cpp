@@ -197,6 +197,7 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
   constexpr double kArmijo = 1e-4;                              // of the decrease that a step promises
   constexpr double kRounds[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};  // of the largest force
   constexpr double kLast = 1e-9;
+  constexpr double kRounding = 1e-14;  // of sums of the energies of some thousand points
   const Problem problem(bodies, contacts, length);
   VectorXd d = VectorXd::Zero(problem.unknowns()), gradient;
   const double largest = problem.largest_force();
@@ -209,6 +210,10 @@ std::vector<BodyMotion> best_motions(const std::vector<BodyInertia>& bodies, con
       const VectorXd from = d, way = hessian.ldlt().solve(-gradient);
       const double promised = -way.dot(gradient), before = energy;
       if (!(way.cwiseAbs().maxCoeff() > least)) return true;
+      if (promised <= kRounding * std::abs(before)) {  // energies say no more
+        d += way;
+        return true;
+      }
       double share = 1;
       for (int half = 0;; ++half, share *= 0.5) {
         d = from;
