@@ -20,6 +20,7 @@ ContactEnergy::ContactEnergy(const Model& model, const ContactSurface& surface, 
       pairs_(model, std::move(pairs), memory, surface.row_count),
       slots_(std::max<std::size_t>(memory.size(), surface.row_count)) {
   const bool remembers = memory.size() >= surface.row_count;
+  rows_.reserve(stiffness.size() - static_cast<std::size_t>(std::count(stiffness.begin(), stiffness.end(), 0)));
   for (std::uint32_t i = 0; i < surface.pieces.size(); ++i) {
     const ContactPiece& piece = surface.pieces[i];
     const Tool& tool = model.tools[piece.tool];
@@ -165,6 +166,7 @@ ContactMemory ContactEnergy::memory_after(const VectorXd& u, double share) const
 
 std::vector<BodyContact> ContactEnergy::of_bodies(const std::vector<std::uint32_t>& bodies, const VectorXd& u) const {
   std::vector<BodyContact> contacts;
+  contacts.reserve(rows_.size());
   pairs_.append_to(contacts, bodies, u);
   for (const Row& row : rows_) {
     const Piece& placed = piece_of(row);

@@ -80,6 +80,7 @@ class Problem {
       pull_.segment<3>(first_[b]) = per_square * bodies[b].missing;
       pull_.segment<3>(first_[b] + 3) = turned * bodies[b].missing_turn;
     }
+    contacts_.reserve(contacts.size());
     std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(contacts_), [&](const BodyContact& c) {
       return first_[c.bodies[0]] >= 0 || (c.bodies[1] != BodyContact::kTool && first_[c.bodies[1]] >= 0);
     });
@@ -87,6 +88,7 @@ class Problem {
     std::erase_if(contacts_, [&](const BodyContact& c) {
       return c.bound <= 0 && c.before + c.stiffness * (c.depth + reach) <= 0;
     });
+    sides_.reserve(contacts_.size());
     for (const BodyContact& c : contacts_) sides_.push_back({side(c, 0), side(c, 1)});
   }
 
