@@ -78,8 +78,10 @@ vec4 cylinder_distance(vec4 a, vec4 b, float rim, vec3 x) {
 #include "sim/contact/mesh_distance.glsl"
 #endif
 
-// In the axes of the piece: xyz normal, w signed distance [m].
-vec4 distance_to(uint piece, vec3 x) {
+bool is_mesh(uint piece) { return FETCH(contact_pieces, PIECE_ROWS * piece + 4u).w == 4.0; }
+
+// In the axes of the piece: xyz normal, w signed distance [m]. Of all pieces but meshes.
+vec4 simple_distance_to(uint piece, vec3 x) {
   float shape = FETCH(contact_pieces, PIECE_ROWS * piece + 4u).w;
   vec4 a = FETCH(contact_pieces, PIECE_ROWS * piece + 8u), b = FETCH(contact_pieces, PIECE_ROWS * piece + 9u);
   vec4 result = vec4(0.0, 1.0, 0.0, 3.4e38);
@@ -95,8 +97,15 @@ vec4 distance_to(uint piece, vec3 x) {
 #if CYLINDERS
   if (shape == 3.0) result = cylinder_distance(a, b, round_of(piece), x);
 #endif
+  return result;
+}
+
+// The same, of all.
+vec4 distance_to(uint piece, vec3 x) {
+  vec4 result = simple_distance_to(piece, x);
 #if MESHES
-  if (shape == 4.0) result = mesh_distance(a, b, x);
+  vec4 a = FETCH(contact_pieces, PIECE_ROWS * piece + 8u), b = FETCH(contact_pieces, PIECE_ROWS * piece + 9u);
+  if (is_mesh(piece)) result = mesh_distance(a, b, x);
 #endif
   return result;
 }

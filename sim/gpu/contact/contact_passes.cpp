@@ -44,20 +44,43 @@ std::uint32_t ContactTerm::loops_of_point() const {
   return static_cast<std::uint32_t>(surface_.pieces.size()) * (grids_ ? kOfGrid : 1) + 1;
 }
 
-gl::ComputePass ContactTerm::over_points(gl::ProgramCache& programs, const char* kernel,
-                                         gl::ComputePass::Bindings more) const {
-  more.insert(more.end(), {{"contact_pieces", &pieces_},
-                           {"contact_vertices", &vertices_},
-                           {"contact_weights", &weights_},
-                           {"contact_rest", &rest_}});
-  if (grids_) more.emplace_back("contact_grid", &grids_);
-  gl::Defines with_stretch = defines();
-  with_stretch.emplace_back("STRETCH", std::to_string(kStretch));
-  with_stretch.emplace_back("CROWDED", crowds_ ? "1" : "0");
-  gl::ComputePass pass(programs.compute(kernel, with_stretch), std::move(more), point_count(),
-                       {{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())}});
-  pass.loops(loops_of_point());
-  return pass;
+EnergyTerm::Passes ContactTerm::find_near(gl::ProgramCache& programs, const SimBuffers& buffers) const {
+  gl::ComputePass::Bindings bindings{{"contact_pieces", &pieces_},
+                                     {"contact_vertices", &vertices_},
+                                     {"contact_weights", &weights_},
+                                     {"contact_rest", &rest_},
+                                     {"start_displacement", &buffers.start_of_stage()},
+                                     {"displacement", &buffers.displacement},
+                                     {"contact_memory", &buffers.contact_memory},
+                                     {"contact_before", &buffers.contact_before},
+                                     {"contact_near", &near_},
+                                     {"contact_anchor", &rows_},
+                                     {"contact_force", &forces_},
+                                     {"contact_block", &blocks_}};
+  gl::ComputePass::Bindings of_near = bindings;
+  of_near.emplace_back("contact_counts", &counts_);
+  if (grids_) of_near.emplace_back("contact_grid", &grids_);
+  gl::Defines near = defines();
+  near.insert(near.end(), {{"STRETCH", std::to_string(kStretch)}, {"CROWDED", crowds_ ? "1" : "0"}});
+  gl::ComputePass::Constants constants{{"pieces", static_cast<std::uint32_t>(surface_.pieces.size())}};
+  Passes passes;
+  if (doubtful_) {
+    constants.insert(constants.end(), {{"deferred_list", 0}, {"deferred_begin", 4}});
+    bindings.emplace_back("deferred", &doubtful_->lists);
+    gl::Defines doubtful = defines();
+    for (auto& [name, value] : doubtful)
+      if (name == "MESHES") value = "0";
+    passes.emplace_back(programs.compute("sim/contact/contact_doubtful.comp", doubtful), std::move(bindings),
+                        point_count(), constants);
+    passes.back().copy_first(doubtful_->none, doubtful_->lists);
+    near.emplace_back("DEFERRED", "1");
+    of_near.emplace_back("deferred_items", &doubtful_->lists);
+  }
+  passes.emplace_back(programs.compute("sim/contact/contact_near.comp", near), std::move(of_near),
+                      point_count(), std::move(constants));
+  if (doubtful_) passes.back().set_indirect(doubtful_->lists, 0);
+  for (gl::ComputePass& pass : passes) pass.loops(loops_of_point());
+  return passes;
 }
 
 gl::ComputePass ContactTerm::over_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
@@ -107,16 +130,7 @@ EnergyTerm::Passes ContactTerm::begin(gl::ProgramCache& programs, const SimBuffe
                                          {"displacement", &buffers.displacement},
                                          {"contact_near", &near_}};
   Passes passes;
-  if (!surface_.empty()) {
-    gl::ComputePass::Bindings bindings = places;
-    bindings.insert(bindings.end(), {{"contact_memory", &buffers.contact_memory},
-                                     {"contact_before", &buffers.contact_before},
-                                     {"contact_counts", &counts_},
-                                     {"contact_anchor", &rows_},
-                                     {"contact_force", &forces_},
-                                     {"contact_block", &blocks_}});
-    passes.push_back(over_points(programs, "sim/contact/contact_near.comp", std::move(bindings)));
-  }
+  if (!surface_.empty()) append(passes, find_near(programs, buffers));
   passes
       .emplace_back(
           programs.compute("sim/contact/contact_list.comp", {{"STRETCH", std::to_string(kStretch)}}),

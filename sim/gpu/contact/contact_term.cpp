@@ -145,6 +145,7 @@ ContactTerm::ContactTerm(const Model& model, SimBuffers& buffers, gl::LoadPath l
   along_ = gl::Buffer("contact_along", std::vector<vec4>(all));
   if (loads == gl::LoadPath::texel)
     sums_ = gl::Buffer("contact_sums", std::vector<vec4>(3 * std::size_t{buffers.vertex_count}));
+  if (loads == gl::LoadPath::texel && grids_) doubtful_ = std::make_unique<DeferredTets>(Deferral{1, point_count()});
   if (crowded()) crowds_ = gl::Buffer("contact_crowds", sizeof(float) * buffers.vertex_count * surface_.pieces.size());
   loads_ = gl::Buffer("contact_loads", std::vector<vec4>(3 * kLoadLanes * surface_.pieces.size()));
   std::vector<std::uint32_t> first_vertices;

@@ -5,6 +5,7 @@
 #pragma once
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "gl/downloads.h"
@@ -15,6 +16,7 @@
 #include "sim/gpu/contact/body_motions.h"
 #include "sim/gpu/contact/body_starts.h"
 #include "sim/gpu/contact/pair_stage.h"
+#include "sim/gpu/passes/deferred_tets.h"
 #include "sim/gpu/passes/energy_term.h"
 #include "sim/tool/tool_motion.h"
 
@@ -118,7 +120,7 @@ class ContactTerm : public EnergyTerm {
   void upload_pairs();
   void upload_entries();
   void keep_loads();  // of the stage that has ended
-  gl::ComputePass over_points(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more) const;
+  Passes find_near(gl::ProgramCache& programs, const SimBuffers& buffers) const;
   gl::ComputePass load_pass(gl::ProgramCache& programs) const;
   gl::ComputePass start_of_near(gl::ProgramCache& programs, const char* kernel, gl::ComputePass::Bindings more,
                                 gl::ComputePass::Constants constants) const;
@@ -151,6 +153,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
   std::vector<std::size_t> first_nodes_;              // [tool] in grids_
   gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
+  std::unique_ptr<DeferredTets> doubtful_;  // of contact_doubtful.comp, on software renderers where tools are meshes
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, moved_rows_, forces_, blocks_, loads_;
   gl::Buffer pressing_, along_;    // contact_force.comp, contact_curvature.comp
