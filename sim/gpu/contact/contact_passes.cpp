@@ -76,8 +76,8 @@ EnergyTerm::Passes ContactTerm::find_near(gl::ProgramCache& programs, const SimB
     near.emplace_back("DEFERRED", "1");
     of_near.emplace_back("deferred_items", &doubtful_->lists);
   }
-  passes.emplace_back(programs.compute("sim/contact/contact_near.comp", near), std::move(of_near),
-                      point_count(), std::move(constants));
+  passes.emplace_back(programs.compute("sim/contact/contact_near.comp", near), std::move(of_near), point_count(),
+                      std::move(constants));
   if (doubtful_) passes.back().set_indirect(doubtful_->lists, 0);
   for (gl::ComputePass& pass : passes) pass.loops(loops_of_point());
   return passes;

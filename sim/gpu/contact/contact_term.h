@@ -152,7 +152,7 @@ class ContactTerm : public EnergyTerm {
   gl::Buffer vertices_, weights_, rest_;              // of the points
   gl::Buffer begin_, end_, entries_;                  // the points of every vertex
   std::vector<std::size_t> first_nodes_;              // [tool] in grids_
-  gl::Buffer grids_;  // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
+  gl::Buffer grids_;                        // float, of the tools that are meshes (sim/tool/solid_mesh.h); else absent
   std::unique_ptr<DeferredTets> doubtful_;  // of contact_doubtful.comp, on software renderers where tools are meshes
   gl::Buffer pieces_, near_, counts_, list_, constants_;
   gl::Buffer rows_, normals_, moved_rows_, forces_, blocks_, loads_;
