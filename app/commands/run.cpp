@@ -131,7 +131,15 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
   const MeshError mesh = estimate_mesh_error(simulation.model, last);
   errors.mesh_state = errors.mesh = mesh.displacement;
   errors.peak_stress.mesh = mesh.peak_stress;
-  if (!options.static_equilibrium) {
+  bool by_finer_tets = false;
+  if (options.static_equilibrium) {
+    const RunError at_rest = estimate_mesh_error_at_rest(simulation, simulation.programs());
+    by_finer_tets = at_rest.complete;
+    if (at_rest.complete) {
+      errors.mesh = at_rest.relative;
+      errors.peak_stress.mesh = std::max(errors.peak_stress.mesh, at_rest.peak_stress);
+    }
+  } else {
     const RunError passed_on = estimate_mesh_error_in_motion(simulation, simulation.programs());
     if (passed_on.complete) {
       errors.mesh_over_run = passed_on.over_run;
@@ -164,6 +172,13 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
   if (errors.mesh_over_run)
     say("of the mesh over the whole run: " + percent(*errors.mesh_over_run) +
         ", against the same run on finer tets; of its last state alone: " + percent(errors.mesh_state));
+  if (options.static_equilibrium)
+    say("of the mesh " +
+        (by_finer_tets
+             ? "against the equilibrium on finer tets; of this state alone: " + percent(errors.mesh_state)
+             : std::string("by this state alone, which hands and large turns mislead: ") +
+                   (interrupted() ? "interrupted"
+                                  : "its tets are too many to be made finer, or the finer ones have no equilibrium")));
   say("von Mises stress that 1 % of the volume exceeds: " + number(errors.peak_recovered) + " Pa recovered, " +
       number(mesh.peak_of_tets) + " Pa in the tets");
   stats.errors = errors;

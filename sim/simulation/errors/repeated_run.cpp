@@ -8,6 +8,7 @@
 #include "sim/accuracy/refined_bodies.h"
 #include "sim/grab/build_model.h"
 #include "sim/grab/resolve_grab.h"
+#include "sim/simulation/static_equilibrium.h"
 
 namespace fascia {
 namespace {
@@ -54,6 +55,40 @@ std::optional<Trajectory> repeated(const Simulation& done, const ChangedSettings
   return followed(run, done.steps_made(), end, stop);
 }
 
+// The scene of a run at its start, on tets with more freedom.
+class OnRefinedTets {
+ public:
+  OnRefinedTets(const Simulation& done, const ChangedSettings& change, gl::ProgramCache* programs)
+      : refined_(refined_bodies(done.model)),
+        simulation_(scene_of(done, change), model_of(done), programs, done.uses_reference()) {}
+
+  Simulation& simulation() { return simulation_; }
+
+  std::vector<Eigen::Vector3d> of_own_vertices(const std::vector<Eigen::Vector3d>& displacement) const {
+    std::vector<Eigen::Vector3d> own;
+    own.reserve(refined_.places.size());
+    for (const std::uint32_t place : refined_.places) own.push_back(displacement[place]);
+    return own;
+  }
+
+ private:
+  static Scene scene_of(const Simulation& done, const ChangedSettings& change) {
+    Scene scene = done.scene;
+    scene.solver = change(scene.solver);
+    for (Body& body : scene.bodies) body.elements = ElementOrder::quadratic;
+    return scene;
+  }
+  Model model_of(const Simulation& done) {
+    const Scene scene = scene_of(done, std::identity());
+    for (std::size_t g = 0; g < scene.grabs.size(); ++g)
+      refined_.model.grabs.push_back(resolve_grab(scene, g, refined_.model));
+    return std::move(refined_.model);
+  }
+
+  RefinedBodies refined_;  // without its model, which the simulation has
+  Simulation simulation_;
+};
+
 }  // namespace
 
 std::optional<Trajectory> repeat_run(const Simulation& done, const ChangedSettings& change, gl::ProgramCache* programs,
@@ -67,21 +102,22 @@ std::optional<Trajectory> repeat_run(const Simulation& done, gl::ProgramCache* p
 
 std::optional<Trajectory> repeat_on_refined_tets(const Simulation& done, const ChangedSettings& change,
                                                  gl::ProgramCache* programs, const std::stop_token& stop) {
-  RefinedBodies refined = refined_bodies(done.model);
-  Scene scene = done.scene;
-  scene.solver = change(scene.solver);
-  for (Body& body : scene.bodies) body.elements = ElementOrder::quadratic;
-  for (std::size_t g = 0; g < scene.grabs.size(); ++g)
-    refined.model.grabs.push_back(resolve_grab(scene, g, refined.model));
-  Simulation run(std::move(scene), std::move(refined.model), programs, done.uses_reference());
-  std::optional<Trajectory> motion = followed(run, done.steps_made(), std::nullopt, stop);
+  OnRefinedTets refined(done, change, programs);
+  std::optional<Trajectory> motion = followed(refined.simulation(), done.steps_made(), std::nullopt, stop);
   if (!motion) return std::nullopt;
-  for (std::vector<Eigen::Vector3d>& at_moment : motion->displacement) {
-    std::vector<Eigen::Vector3d> own(refined.places.size());
-    for (std::size_t v = 0; v < own.size(); ++v) own[v] = at_moment[refined.places[v]];
-    at_moment = std::move(own);
-  }
+  for (std::vector<Eigen::Vector3d>& at_moment : motion->displacement) at_moment = refined.of_own_vertices(at_moment);
   return motion;
+}
+
+std::optional<Trajectory> settle_on_refined_tets(const Simulation& done, gl::ProgramCache* programs,
+                                                 const std::stop_token& stop) {
+  OnRefinedTets refined(done, std::identity(), programs);
+  const StaticReport report = refined.simulation().solve_static({}, stop);
+  if (stop.stop_requested()) return std::nullopt;
+  require_equilibrium(refined.simulation(), report);
+  const State state = refined.simulation().state();
+  return Trajectory{{refined.of_own_vertices(state.displacement)},
+                    peak_beyond_rounding(refined.simulation().model, state, stop)};
 }
 
 }  // namespace fascia

@@ -21,5 +21,8 @@ std::optional<Trajectory> repeat_run(const Simulation& done, gl::ProgramCache* p
 /// of its own vertices. Precondition: no replay.
 std::optional<Trajectory> repeat_on_refined_tets(const Simulation& done, const ChangedSettings& change,
                                                  gl::ProgramCache* programs, const std::stop_token& stop);
+/// The same of its static equilibrium. Throws Error where there is none on these tets.
+std::optional<Trajectory> settle_on_refined_tets(const Simulation& done, gl::ProgramCache* programs,
+                                                 const std::stop_token& stop);
 
 }  // namespace fascia
