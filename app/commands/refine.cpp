@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 #include "app/cli/command_line.h"
 #include "app/cli/usage_error.h"
@@ -36,14 +37,16 @@ std::optional<double> parsed(std::string_view text, const std::vector<std::pair<
 }
 
 void add_quantity(CLI::App& command, const std::string& name, double& field, const std::string& type,
-                  const std::string& usual, const std::vector<std::pair<std::string_view, double>>& units,
+                  const std::string& usual, const std::vector<std::pair<std::string_view, double>>& units, double most,
                   const std::string& help) {
   command
       .add_option_function<std::string>(
           name,
-          [&field, name, type, units](const std::string& text) {
+          [&field, name, type, units, most](const std::string& text) {
             const std::optional<double> value = parsed(text, units);
-            if (!value) throw CLI::ValidationError(name, "is " + text + "; expected a positive number, as in " + type);
+            if (!value || *value >= most)
+              throw CLI::ValidationError(name, "is " + text + (value ? ", all of the displacement or more" : "") +
+                                                   "; expected a positive number, as in " + type);
             field = *value;
           },
           help)
@@ -112,10 +115,10 @@ void add_refine(CLI::App& program, Invocation& invocation) {
   CLI::App& command = *program.add_subcommand(
       "refine", "proposes elements, mesh, integrator and iterations for a wanted error in a wanted time");
   add_common(command, *options);
-  add_quantity(command, "--error", options->error, "2%", "2%", {{"%", 0.01}, {"", 1}},
+  add_quantity(command, "--error", options->error, "2%", "2%", {{"%", 0.01}, {"", 1}}, 1,
                "wanted error of the displacements, relative");
   add_quantity(command, "--frame", options->frame_ms, "16ms", "16ms", {{"ms", 1}, {"s", 1000}, {"", 1}},
-               "time that a step may take");
+               std::numeric_limits<double>::infinity(), "time that a step may take");
   add_examples(command, {"fascia refine liver.json --error 2% --frame 16ms"}, "no choice has that error in that time");
   command.callback([&invocation, options] {
     options->command_line = invocation.command_line;

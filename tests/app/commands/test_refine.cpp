@@ -27,7 +27,7 @@ TEST_CASE("refine proposes settings, or says what is within reach", "[refine]") 
     CHECK(refused.exit_code == 2);
     CHECK(refused.err.find(option + ": leaves nothing to choose") != std::string::npos);
   }
-  for (const std::string wrong : {"-2%", "0", "2 %", "much"}) {
+  for (const std::string wrong : {"-2%", "0", "2 %", "much", "2", "100%"}) {
     const CommandResult refused = run_fascia({"refine", cube.string(), "--error", wrong});
     CAPTURE(wrong, refused.err);
     CHECK(refused.exit_code == 2);
