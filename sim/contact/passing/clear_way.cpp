@@ -156,13 +156,13 @@ void ClearWay::place(const VectorXd& from, const VectorXd& to) {
 
 bool ClearWay::cuts(const VectorXd& from, const VectorXd& to) {
   if (bodies_.size() < 2 || !model_.contact.bodies) return false;
+  const std::vector<std::uint32_t> none;
   const auto bodies_cut = [&](const VectorXd& u) {
     place(u, u);
     std::set<std::pair<std::size_t, std::size_t>> cut;
     for (std::size_t a = 0; a < bodies_.size(); ++a)
       for (std::size_t b = 0; b < bodies_.size(); ++b)
-        for (const std::uint32_t e : bodies_[a].edges) {
-          if (a == b) break;
+        for (const std::uint32_t e : a == b ? none : bodies_[a].edges) {
           const Vector3d &p = to_[edges_[e].from], &q = to_[edges_[e].to];
           bodies_[b].tree.for_overlaps(AlignedBox3d(p).extend(q), [&](std::uint32_t k) {
             const Triangle& t = triangles_[bodies_[b].triangles[k]];
