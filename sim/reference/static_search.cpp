@@ -20,14 +20,14 @@ using Eigen::VectorXd;
 
 // Where nothing bounces, a stiffer penalty takes fewer passes over the multipliers.
 constexpr double static_penalty = 100;
-constexpr int most_passes = 60;          // since the last fall that was shortened
-constexpr double first_fall = 1e-2;      // [s]
-constexpr double shortest_fall = 1e-7;   // [s] far below what a body takes for a skin's width
-constexpr int most_shortened = 100;      // falls; a landing from three sizes takes about ten, one that tips over twenty
-constexpr int kept_length = 4;           // falls after a shortened one that are as long: the next size up failed
-constexpr int fall_patience = 100;       // Newton iterations after which a shorter fall is tried
-constexpr double hindering = 1e-3;       // share of the change of forces in a pass by which inertia hinders rest
-constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
+constexpr int most_passes = 60;         // since the last fall that was shortened
+constexpr double first_fall = 1e-2;     // [s]
+constexpr double shortest_fall = 1e-7;  // [s] far below what a body takes for a skin's width
+constexpr int most_shortened = 100;     // falls; a landing from three sizes takes about ten, one that tips over twenty
+constexpr int kept_length = 4;          // falls after a shortened one that are as long: the next size up failed
+constexpr int fall_patience = 100;      // Newton iterations after which a shorter fall is tried, once one was shortened
+constexpr double hindering = 1e-3;      // share of the change of forces in a pass by which inertia hinders rest
+constexpr double steady_forces = 1e-9;  // change of the forces of contact in a pass, relative to the largest one
 constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
 constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
 constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
@@ -57,7 +57,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   const auto minimize = [&] {
     for (;;) {
       VectorXd trial = u;
-      const int most = lands ? fall_patience : last_patience;
+      const int most = shortened > 0 ? fall_patience : last_patience;
       report.go_on(minimizer.minimize(potential, tolerance, {most, false, stop}, trial));
       report.goes_through = !clear(u, trial, passed);
       const bool serves = !report.goes_through && (report.converged || !lands);
@@ -82,7 +82,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     unsteady = borne();
     if (lands) {
       const bool hindered = unsteady > 0.1 * borne_at_rest * largest || unsteady > hindering * change;
-      if (pass > 0 && keep-- <= 0 && hindered) fall *= 2;
+      if (pass > 0 && keep-- <= 0 && (shortened == 0 || hindered)) fall *= 2;
       fall_from(u);
     }
     if (lands && pass == 0) {

@@ -47,7 +47,7 @@ bool goes_through(const ToolShape& shape, const Vector3d& from, const Vector3d& 
 
 ClearWay::ClearWay(const Model& model, const ContactSurface& contact, double skin)
     : model_(model), contact_(contact), skin_(skin) {
-  if (!model.touches_tissue()) return;
+  if (!model.contact.bodies || model.bodies.size() < 2) return;
   triangles_ = tissue_boundary(model);
   edges_ = tissue_edges(model, triangles_);
   body_of_ = bodies_of_vertices(model);
@@ -102,30 +102,24 @@ Vector3d ClearWay::normal_at(double share, std::uint32_t triangle) const {
   return (now(t[1]) - a).cross(now(t[2]) - a);
 }
 
-bool ClearWay::counts(const Passage& passage, const std::array<std::uint32_t, 4>& vertices) const {
-  Vector3d at_start(0, 0, 0), at_rest(0, 0, 0);
-  for (std::size_t k = 0; k < 4; ++k) {
-    at_start += passage.weights[k] * from_[vertices[k]];
-    at_rest += passage.weights[k] * model_.rest_positions[vertices[k]];
-  }
-  if (std::abs(passage.normal.dot(at_start)) < kTouching * skin_) return false;
-  return body_of_[vertices[0]] != body_of_[vertices[3]] || at_rest.norm() >= 2 * skin_;
+bool ClearWay::touched(const Passage& passage, const std::array<std::uint32_t, 4>& vertices) const {
+  Vector3d between(0, 0, 0);
+  for (std::size_t k = 0; k < 4; ++k) between += passage.weights[k] * from_[vertices[k]];
+  return std::abs(passage.normal.dot(between)) < kTouching * skin_;
 }
 
 bool ClearWay::enters(std::uint32_t v, const Triangle& t) const {
-  if (v == t[0] || v == t[1] || v == t[2]) return false;
   const std::array<std::uint32_t, 4> of{v, t[0], t[1], t[2]};
   const auto passage = vertex_through_triangle(at(from_, of), at(to_, of));
-  if (!passage || !counts(*passage, of)) return false;
+  if (!passage || touched(*passage, of)) return false;
   const auto triangle = static_cast<std::uint32_t>(&t - triangles_.data());
   return passage->normal.dot(normal_at(passage->share, triangle)) > 0;
 }
 
 bool ClearWay::enters(const TissueEdge& first, const TissueEdge& second) const {
   const std::array<std::uint32_t, 4> of{first.from, first.to, second.from, second.to};
-  if (of[0] == of[2] || of[0] == of[3] || of[1] == of[2] || of[1] == of[3]) return false;
   const auto passage = edge_through_edge(at(from_, of), at(to_, of));
-  if (!passage || !counts(*passage, of)) return false;
+  if (!passage || touched(*passage, of)) return false;
   const auto outward = [&](const TissueEdge& edge) {
     Vector3d sum(0, 0, 0);
     for (const std::uint32_t side : edge.sides)
@@ -155,7 +149,7 @@ void ClearWay::place(const VectorXd& from, const VectorXd& to) {
 }
 
 bool ClearWay::cuts(const VectorXd& from, const VectorXd& to) {
-  if (bodies_.size() < 2 || !model_.contact.bodies) return false;
+  if (bodies_.empty()) return false;
   const std::vector<std::uint32_t> none;
   const auto bodies_cut = [&](const VectorXd& u) {
     place(u, u);
@@ -181,13 +175,13 @@ bool ClearWay::clear_of_tissue(const VectorXd& from, const VectorXd& to) {
   bool clear = true;
   for (std::size_t a = 0; a < bodies_.size(); ++a)
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (!(a == b ? model_.contact.self : model_.contact.bodies)) continue;
+      if (a == b) continue;
       const Body &own = bodies_[a], &other = bodies_[b];
       for (std::size_t i = 0; clear && i < own.vertices.size(); ++i)
         other.tree.for_overlaps(way_of(own.vertices[i]), [&](std::uint32_t k) {
           clear = clear && !enters(own.vertices[i], triangles_[other.triangles[k]]);
         });
-      for (std::size_t i = 0; clear && a <= b && i < own.edges.size(); ++i) {
+      for (std::size_t i = 0; clear && a < b && i < own.edges.size(); ++i) {
         const TissueEdge& edge = edges_[own.edges[i]];
         other.tree.for_overlaps(way_of(edge.from).extend(way_of(edge.to)), [&](std::uint32_t k) {
           const std::uint32_t triangle = other.triangles[k];

@@ -1,4 +1,4 @@
-// Whether tissue goes from one state to another without going through tools or other tissue. A static solve asks it of
+// Whether tissue goes from one state to another without going through tools or other bodies. A static solve asks it of
 // every fall: its states have no motion between them that would be known to be possible, so that the straight one of
 // all vertices stands for it.
 #pragma once
@@ -40,8 +40,8 @@ class ClearWay {
   void place(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
   bool enters(std::uint32_t vertex, const Triangle& triangle) const;
   bool enters(const TissueEdge& first, const TissueEdge& second) const;
-  /// Not what touched before, nor what is beside each other at rest on one body.
-  bool counts(const Passage& passage, const std::array<std::uint32_t, 4>& vertices) const;
+  /// Whether the two sides were in touch before.
+  bool touched(const Passage& passage, const std::array<std::uint32_t, 4>& vertices) const;
   std::array<Eigen::Vector3d, 4> at(const std::vector<Eigen::Vector3d>& x,
                                     const std::array<std::uint32_t, 4>& v) const {
     return {x[v[0]], x[v[1]], x[v[2]], x[v[3]]};
@@ -55,7 +55,7 @@ class ClearWay {
   std::vector<TissueEdge> edges_;
   std::vector<std::array<std::uint32_t, 3>> sides_;  // [triangle] its edges
   std::vector<std::uint32_t> body_of_;               // [vertex_count]
-  std::vector<Body> bodies_;                         // without any where no tissue touches tissue
+  std::vector<Body> bodies_;                         // none where bodies do not touch each other
   std::vector<Eigen::Vector3d> from_, to_;           // [vertex_count] x
 };
 
