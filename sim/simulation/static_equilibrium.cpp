@@ -29,8 +29,7 @@ StaticReport report_of(const reference::NewtonReport& newton, double tolerance) 
 std::string missing_in(const Simulation& simulation, const StaticReport& report) {
   const UnconstrainedParts free = unconstrained_parts(simulation.model, simulation.model.held());
   constexpr double kNearly = 1e-4;  // relative residual of a state that is one in all but its last digits
-  if (report.goes_through)
-    return "what meets to be kept apart, as steps of a motion do (fascia run without --static)";
+  if (report.goes_through) return "what meets to be kept apart, as steps of a motion do (fascia run without --static)";
   if (!report.rests)
     return "contact and friction that hold what has no fixed vertices (" + vertex_name(simulation.model, free.first) +
            ")";
