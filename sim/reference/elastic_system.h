@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/model/model.h"
-#include "sim/reference/cholesky.h"
 #include "sim/reference/elasticity.h"
+#include "sim/reference/factor/cholesky.h"
 
 namespace fascia::reference {
 

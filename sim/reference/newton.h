@@ -71,6 +71,9 @@ struct NewtonReport {
   /// Of a static solve: false if bodies without supports went on falling or sliding. It then has not converged,
   /// although each of its minimizations did.
   bool rests = true;
+  /// Of a static solve: its result would have tissue beyond a tool, or other tissue, that it has gone through. It then
+  /// has not converged.
+  bool goes_through = false;
   int taken_back = 0;  // stages whose result would have led tissue through tissue (PairSearch::taken_back())
 
   /// The same solve went on, as `more` reports.

@@ -21,13 +21,15 @@ StaticReport report_of(const reference::NewtonReport& newton, double tolerance) 
           newton.relative_residual,
           newton.converged,
           tolerance > 0 ? tolerance : reference::NewtonSolver::kStaticTolerance,
-          newton.rests};
+          newton.rests,
+          newton.goes_through};
 }
 
 /// What a search that found no equilibrium would need.
 std::string missing_in(const Simulation& simulation, const StaticReport& report) {
   const UnconstrainedParts free = unconstrained_parts(simulation.model, simulation.model.held());
   constexpr double kNearly = 1e-4;  // relative residual of a state that is one in all but its last digits
+  if (report.goes_through) return "what meets to be kept apart, as steps of a motion do (fascia run without --static)";
   if (!report.rests)
     return "contact and friction that hold what has no fixed vertices (" + vertex_name(simulation.model, free.first) +
            ")";
@@ -122,7 +124,9 @@ std::string describe(const StaticReport& report) {
   if (report.newton_iterations > 0) text << report.newton_iterations << " Newton ";
   if (report.iterations + report.newton_iterations == 0) text << "no ";
   text << (report.iterations + report.newton_iterations == 1 ? "iteration" : "iterations");
-  if (report.rests)
+  if (report.goes_through)
+    text << ": tissue would go through what it meets";
+  else if (report.rests)
     text << ", relative residual " << report.relative_residual;
   else
     text << ": bodies without supports go on moving";

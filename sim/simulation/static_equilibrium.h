@@ -15,6 +15,7 @@ struct StaticReport {
   bool converged = false;                     // to the tolerance
   double tolerance = 0;                       // of relative_residual
   bool rests = true;                          // reference::NewtonReport
+  bool goes_through = false;                  // reference::NewtonReport
 };
 
 /// "static equilibrium after 12 Newton iterations, relative residual 1e-11"; says where rounding kept it above the

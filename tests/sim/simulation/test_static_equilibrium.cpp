@@ -104,6 +104,9 @@ TEST_CASE("a search without an equilibrium says what is missing", "[static]") {
         "cube.json: no static equilibrium after 80 Newton iterations, relative residual 4.26e-08; expected a tolerance "
         "within reach, such as --set solver.tolerance=1e-07");
   CHECK_THAT(error_of({0, 80, 0.5, false}), Catch::EndsWith("expected a load that supports and contact can carry"));
+  CHECK(error_of({0, 80, 1e-11, false, 1e-10, true, true}) ==
+        "cube.json: no static equilibrium after 80 Newton iterations: tissue would go through what it meets; expected "
+        "what meets to be kept apart, as steps of a motion do (fascia run without --static)");
   simulation.model.tools.clear();
   CHECK_THAT(error_of({0, 80, 0.5, false}),
              Catch::EndsWith("expected a constrained body and a load that it can carry"));

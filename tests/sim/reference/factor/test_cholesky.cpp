@@ -1,4 +1,4 @@
-#include "sim/reference/cholesky.h"
+#include "sim/reference/factor/cholesky.h"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // The order of elimination: every vertex once, neighbors on one branch of the tree, small separators.
-#include "sim/reference/nested_dissection.h"
+#include "sim/reference/factor/nested_dissection.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

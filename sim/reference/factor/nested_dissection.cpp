@@ -1,4 +1,4 @@
-#include "sim/reference/nested_dissection.h"
+#include "sim/reference/factor/nested_dissection.h"
 
 #include <algorithm>
 #include <numeric>

@@ -5,7 +5,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "sim/reference/nested_dissection.h"
+#include "sim/reference/factor/nested_dissection.h"
 
 namespace fascia::reference {
 

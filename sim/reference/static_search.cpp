@@ -1,0 +1,197 @@
+// Static equilibria of the reference solver: loads and prescribed motions in increments, multipliers in passes, and
+// falls of what contact alone supports.
+//
+// A fall is a step of implicit Euler from rest. Its contact is that of where it starts, so that a long one knows
+// nothing of what lies on the way. Each is therefore looked at afterwards (sim/contact/passing/clear_way.h), and one
+// that leads through something is done again for half as long. Tissue that is held and sags through other tissue falls
+// so, too.
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "sim/reference/newton_impl.h"
+#include "sim/tool/tool_approach.h"
+
+namespace fascia::reference {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Where nothing bounces, a stiffer penalty takes fewer passes over the multipliers.
+constexpr double static_penalty = 100;
+constexpr int most_passes = 60;         // since the last fall that was shortened
+constexpr double first_fall = 1e-2;     // [s]
+constexpr double shortest_fall = 1e-7;  // [s] far below what a body takes for a skin's width
+constexpr int most_shortened = 100;     // falls; a landing from three sizes takes about ten, one that tips over twenty
+constexpr int kept_length = 4;          // falls after a shortened one that are as long: the next size up failed
+constexpr int fall_patience = 100;      // Newton iterations after which a shorter fall is tried, once one was shortened
+constexpr double hindering = 1e-3;      // share of the change of forces in a pass by which inertia hinders rest
+constexpr double steady_forces = 1e-9;  // change of the forces of contact in a pass, relative to the largest one
+constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
+constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
+constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
+constexpr double shortest_part = 1.0 / 1024;  // of the time of a prescribed motion that leads through something
+
+}  // namespace
+
+void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<double>& stiffness,
+                                       const ToolMotion& motion, bool lands, double tolerance, NewtonReport& report,
+                                       ContactMemory& memory, VectorXd& u) {
+  const VectorXd begin = potential.start;
+  VectorXd start = begin;                                           // from where friction counts
+  double change = 0, unsteady = 0, largest = 0, fall = first_fall;  // [N], [N], [N], [s]
+  VectorXd from = u, inertia = VectorXd::Zero(u.size());
+  int shortened = 0, keep = 0;
+  ToolMotion passed = motion;  // of the tools until the end of the next minimization
+  const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
+  const auto fall_from = [&](const VectorXd& place) {
+    potential.target = from = place;
+    potential.inertia = inertia = mass / (fall * fall);
+    for (const GrabSpring& spring : springs) add(spring, potential);
+  };
+  // Tissue that slides along tissue meets other faces.
+  const auto contact_at_u = [&] {
+    return contact_from(pairs.empty() ? start : u, as_vectors(u), stiffness, motion, memory);
+  };
+  const auto minimize = [&] {
+    for (;;) {
+      VectorXd trial = u;
+      const int most = shortened > 0 ? fall_patience : last_patience;
+      report.go_on(minimizer.minimize(potential, tolerance, {most, false, stop}, trial));
+      report.goes_through = !clear(u, trial, passed);
+      const bool serves = !report.goes_through && (report.converged || !lands);
+      if (serves || stop.stop_requested()) {
+        u = std::move(trial);
+        passed.from = passed.to;
+        return;
+      }
+      if (!std::exchange(lands, true)) from = u;
+      fall /= 2;
+      keep = kept_length;
+      if (fall < shortest_fall || ++shortened > most_shortened) {
+        report.converged = false;
+        return;
+      }
+      fall_from(from);
+      start = u;
+      potential.contact = contact_at_u();
+    }
+  };
+  for (int pass = 0; pass < most_passes && report.converged; ++pass) {
+    unsteady = borne();
+    if (lands) {
+      const bool hindered = unsteady > 0.1 * borne_at_rest * largest || unsteady > hindering * change;
+      if (pass > 0 && keep-- <= 0 && (shortened == 0 || hindered)) fall *= 2;
+      fall_from(u);
+    }
+    if (lands && pass == 0) {
+      minimize();
+      if (!report.converged) break;
+      unsteady = borne();
+    }
+    const ContactMemory before = std::exchange(memory, potential.contact->memory_after(u));
+    read_out(potential.contact, u);
+    const double previous = std::exchange(change, unsteady);
+    largest = lands ? weight.lpNorm<Eigen::Infinity>() : 0;  // of a vertex
+    for (std::size_t row = 0; row < memory.size(); ++row) {
+      if (row >= contact.row_count && (row - contact.row_count) % 5 == 4) continue;  // what pairs met
+      const ContactForce old = before.empty() ? ContactForce{} : before[row];
+      change =
+          std::max({change, std::abs(memory[row].normal - old.normal), (memory[row].friction - old.friction).norm()});
+      largest = std::max(largest, memory[row].normal);
+    }
+    if (change <= steady_forces * largest) return;
+    if (change <= rounded_forces * largest && change > 0.5 * previous && change <= potential.contact->rounding(u))
+      return;
+    if (lands && (u - begin).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
+    potential.contact = contact_at_u();
+    const int before_pass = shortened;
+    minimize();
+    if (shortened > before_pass) pass = 0;
+  }
+  if (!report.converged || unsteady <= std::max(borne_at_rest, tolerance) * largest) return;
+  report.rests = report.converged = false;
+}
+
+NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, std::optional<double> until) {
+  if (!touches()) require_supports(model);
+  const double begin = state.time;
+  const double end = std::max(begin, until ? *until : std::max(model.end_of_motions(), model.end_of_tools()));
+  const double moment = until ? 1e-9 : 1e-3;  // [s] of a path to a time that has come
+  const auto motion = [&](double from, double to) {
+    if (!tools || begin == end) return motion_within(from, to);
+    return tools->part((from - begin) / (end - begin), (to - begin) / (end - begin));
+  };
+  const auto depth = [&](std::size_t tool, const ToolPlace& place) {
+    return depth_in_tissue(model, contact, state.displacement, tool, place);
+  };
+  NewtonReport report;
+  for (const double time : approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth)) {
+    for (double to = time;;) {
+      const int before = report.iterations;
+      State next = state;
+      report = equilibrium(next, tolerance, to, moment, motion(state.time, to));
+      report.iterations += before;
+      // What a script moves through tissue at once may push it aside in shorter parts.
+      const double half = 0.5 * (state.time + to);
+      if (report.goes_through && half - state.time > 0.5 * shortest_part * (end - begin)) {
+        to = half;
+        continue;
+      }
+      state = std::move(next);
+      if (!report.converged || stop.stop_requested()) return report;
+      if (to == time) break;
+      to = time;
+    }
+  }
+  return report;
+}
+
+NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, double end, double moment,
+                                             const ToolMotion& motion) {
+  VectorXd u = flattened(state.displacement), internal;
+  const HeldPath path(model, u, state.time, std::max(end, state.time + moment));
+
+  // The state is in equilibrium with a part of the load; the rest is added as s increases to 1.
+  system.evaluate(u, {}, internal);
+  const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
+  std::vector<double> stiffer = penalty;
+  for (double& k : stiffer) k *= static_penalty;
+  const auto potential = [&](double s) {
+    Potential result{{}, zero, start, start, weight - (1 - s) * missing};
+    if (touches()) result.contact = contact_from(start, as_vectors(start), stiffer, motion.part(0, s), state.contact);
+    for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
+      const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
+      GrabSpring now = spring;
+      now.target = from + s * (spring.target - from);
+      add(now, result);
+    }
+    return result;
+  };
+  if (tolerance <= 0) tolerance = NewtonSolver::kStaticTolerance;
+  bool lands = touches() && unconstrained_parts(model, model.held()).parts > 0;
+  NewtonReport report;
+  report.converged = true;
+  if (!lands) {
+    report = follow(path, potential, true, tolerance, u);
+    report.goes_through = !clear(start, u, motion);
+    if (report.goes_through && !path.moves()) {
+      u = start;
+      lands = report.converged = true;
+      report.goes_through = false;
+    }
+  }
+  if (touches() && !report.goes_through)
+    settle_forces(potential(1), stiffer, motion, lands, tolerance, report, state.contact, u);
+  report.goes_through = report.goes_through || clear.cuts(start, u);
+  report.converged = report.converged && !report.goes_through;
+  state.displacement = as_vectors(u);
+  state.velocity.assign(state.displacement.size(), Vector3d::Zero());
+  state.acceleration.clear();
+  state.earlier = {};
+  state.time = end;
+  return report;
+}
+
+}  // namespace fascia::reference
