@@ -172,13 +172,11 @@ void measure_errors(const RunOptions& options, Simulation& simulation, const Sta
   if (errors.mesh_over_run)
     say("of the mesh over the whole run: " + percent(*errors.mesh_over_run) +
         ", against the same run on finer tets; of its last state alone: " + percent(errors.mesh_state));
-  if (options.static_equilibrium)
-    say("of the mesh " +
-        (by_finer_tets
-             ? "against the equilibrium on finer tets; of this state alone: " + percent(errors.mesh_state)
-             : std::string("by this state alone, which hands and large turns mislead: ") +
-                   (interrupted() ? "interrupted"
-                                  : "its tets are too many to be made finer, or the finer ones have no equilibrium")));
+  if (options.static_equilibrium && by_finer_tets)
+    say("of the mesh against the equilibrium on finer tets; of this state alone: " + percent(errors.mesh_state));
+  else if (options.static_equilibrium)
+    say("of the mesh by this state alone, which hands and large turns mislead: nothing holds a body, its tets are too "
+        "many, or the finer ones have no equilibrium");
   say("von Mises stress that 1 % of the volume exceeds: " + number(errors.peak_recovered) + " Pa recovered, " +
       number(mesh.peak_of_tets) + " Pa in the tets");
   stats.errors = errors;

@@ -26,8 +26,11 @@ constexpr double shortest_fall = 1e-7;  // [s] far below what a body takes for a
 constexpr int most_shortened = 100;     // falls; a landing from three sizes takes about ten, one that tips over twenty
 constexpr int kept_length = 4;          // falls after a shortened one that are as long: the next size up failed
 constexpr int fall_patience = 100;      // Newton iterations after which a shorter fall is tried, once one was shortened
-constexpr double hindering = 1e-3;      // share of the change of forces in a pass by which inertia hinders rest
-constexpr double steady_forces = 1e-9;  // change of the forces of contact in a pass, relative to the largest one
+constexpr int search_patience =
+    1000;                             // the same of all falls since the first shortened one: landings take some hundred
+constexpr int retry_patience = 2500;  // the same of all parts of a motion that led through something
+constexpr double hindering = 1e-3;    // share of the change of forces in a pass by which inertia hinders rest
+constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
 constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
 constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
 constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
@@ -42,7 +45,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   VectorXd start = begin;                                           // from where friction counts
   double change = 0, unsteady = 0, largest = 0, fall = first_fall;  // [N], [N], [N], [s]
   VectorXd from = u, inertia = VectorXd::Zero(u.size());
-  int shortened = 0, keep = 0;
+  int shortened = 0, keep = 0, searched = 0;
   ToolMotion passed = motion;  // of the tools until the end of the next minimization
   const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
   const auto fall_from = [&](const VectorXd& place) {
@@ -57,8 +60,9 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   const auto minimize = [&] {
     for (;;) {
       VectorXd trial = u;
-      const int most = shortened > 0 ? fall_patience : last_patience;
+      const int most = shortened > 0 ? fall_patience : last_patience, before = report.iterations;
       report.go_on(minimizer.minimize(potential, tolerance, {most, false, stop}, trial));
+      if (shortened > 0) searched += report.iterations - before;
       report.goes_through = !clear(u, trial, passed);
       const bool serves = !report.goes_through && (report.converged || !lands);
       if (serves || stop.stop_requested()) {
@@ -69,7 +73,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
       if (!std::exchange(lands, true)) from = u;
       fall /= 2;
       keep = kept_length;
-      if (fall < shortest_fall || ++shortened > most_shortened) {
+      if (fall < shortest_fall || ++shortened > most_shortened || searched > search_patience) {
         report.converged = false;
         return;
       }
@@ -105,6 +109,10 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
     if (change <= rounded_forces * largest && change > 0.5 * previous && change <= potential.contact->rounding(u))
       return;
     if (lands && (u - begin).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
+    if (searched > search_patience) {
+      report.converged = false;
+      return;
+    }
     potential.contact = contact_at_u();
     const int before_pass = shortened;
     minimize();
@@ -127,6 +135,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
     return depth_in_tissue(model, contact, state.displacement, tool, place);
   };
   NewtonReport report;
+  int in_vain = 0;  // Newton iterations
   for (const double time : approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth)) {
     for (double to = time;;) {
       const int before = report.iterations;
@@ -135,7 +144,8 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
       report.iterations += before;
       // What a script moves through tissue at once may push it aside in shorter parts.
       const double half = 0.5 * (state.time + to);
-      if (report.goes_through && half - state.time > 0.5 * shortest_part * (end - begin)) {
+      if (report.goes_through) in_vain += report.iterations - before;
+      if (report.goes_through && in_vain < retry_patience && half - state.time > 0.5 * shortest_part * (end - begin)) {
         to = half;
         continue;
       }
@@ -158,8 +168,11 @@ NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, dou
   const VectorXd missing = weight - internal, start = u, zero = VectorXd::Zero(u.size());
   std::vector<double> stiffer = penalty;
   for (double& k : stiffer) k *= static_penalty;
-  const auto potential = [&](double s) {
-    Potential result{{}, zero, start, start, weight - (1 - s) * missing};
+  bool lands = touches() && unconstrained_parts(model, model.held()).parts > 0;
+  // Inertia holds what nothing else holds while a script moves other tissue, which may push it.
+  const VectorXd holds = lands ? VectorXd(mass / (first_fall * first_fall)) : zero;
+  const auto loaded = [&](double s, const VectorXd& inertia) {
+    Potential result{{}, inertia, start, start, weight - (1 - s) * missing};
     if (touches()) result.contact = contact_from(start, as_vectors(start), stiffer, motion.part(0, s), state.contact);
     for (const GrabSpring& spring : springs) {  // their displacement is also applied gradually
       const Vector3d from = start.segment<3>(3 * static_cast<Eigen::Index>(spring.vertex));
@@ -170,11 +183,11 @@ NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, dou
     return result;
   };
   if (tolerance <= 0) tolerance = NewtonSolver::kStaticTolerance;
-  bool lands = touches() && unconstrained_parts(model, model.held()).parts > 0;
   NewtonReport report;
   report.converged = true;
-  if (!lands) {
-    report = follow(path, potential, true, tolerance, u);
+  if (!lands || path.moves()) {
+    report = follow(
+        path, [&](double s) { return loaded(s, holds); }, true, tolerance, u);
     report.goes_through = !clear(start, u, motion);
     if (report.goes_through && !path.moves()) {
       u = start;
@@ -183,7 +196,7 @@ NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, dou
     }
   }
   if (touches() && !report.goes_through)
-    settle_forces(potential(1), stiffer, motion, lands, tolerance, report, state.contact, u);
+    settle_forces(loaded(1, zero), stiffer, motion, lands, tolerance, report, state.contact, u);
   report.goes_through = report.goes_through || clear.cuts(start, u);
   report.converged = report.converged && !report.goes_through;
   state.displacement = as_vectors(u);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "sim/accuracy/finer_solution.h"
 #include "sim/accuracy/nodal_stress.h"
+#include "sim/accuracy/rigid_motions.h"
 #include "sim/simulation/errors/repeated_run.h"
 #include "sim/simulation/errors/solver_error.h"
 
@@ -34,7 +35,8 @@ RunError estimate_mesh_error_in_motion(const Simulation& done, gl::ProgramCache*
 RunError estimate_mesh_error_at_rest(const Simulation& done, gl::ProgramCache* programs, const std::stop_token& stop) {
   constexpr std::size_t kPartsOfQuadratic = 8;
   const std::size_t finer_tets = done.model.tets.size() + (kPartsOfQuadratic - 1) * quadratic_tets(done.model);
-  if (done.replay() || finer_tets > kMostTetsAtRest) return {.complete = false};
+  const bool held = free_pieces(done.model.tets, done.model.held()).empty();
+  if (done.replay() || !held || finer_tets > kMostTetsAtRest) return {.complete = false};
   const State state = done.state();
   const Trajectory own{{state.displacement}, peak_beyond_rounding(done.model, state, stop)};
   try {

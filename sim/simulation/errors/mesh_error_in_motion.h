@@ -17,7 +17,8 @@ RunError estimate_mesh_error_in_motion(const Simulation& done, gl::ProgramCache*
 
 /// The same of the static equilibrium that `done` is in, against that on finer tets. Hands and tools take hold of these
 /// anew, so that the estimate has what the mesh does to their forces, which that of the state alone does not. Not
-/// complete with more tets than kMostTetsAtRest, or where the finer ones have no equilibrium.
+/// complete with more tets than kMostTetsAtRest, where the finer ones have no equilibrium, or for bodies that nothing
+/// holds: how far they fell hides their shape, and friction holds them at any of many places.
 RunError estimate_mesh_error_at_rest(const Simulation& done, gl::ProgramCache* programs,
                                      const std::stop_token& stop = interrupt_token());
 constexpr std::size_t kMostTetsAtRest = 10'000;  // finer ones

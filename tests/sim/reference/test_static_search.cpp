@@ -128,5 +128,38 @@ TEST_CASE("what a script leads through tissue is no equilibrium beyond it", "[st
   CHECK((report.goes_through || penetrating_triangles(model, state.displacement) == 0));
 }
 
+// A cube that falls onto the ground, and a scripted plate of tissue that comes down on it or stays beside it.
+TEST_CASE("a script moves its tissue while another body falls", "[static]") {
+  const bool pushes = GENERATE(false, true);
+  const Model plate =
+      moved(box_model(4, 1, 4, {0.08, 0.02, 0.08}, soft(1e6)), {pushes ? -0.04 : 0.1, kSize + 0.01, -0.04});
+  Model model = beside(plate, cube_above(0.001, 2e4, Matrix3d::Identity()), "cube");
+  Motion motion;
+  motion.duration = 1;
+  motion.translate = {0, -0.014, 0};
+  for (std::uint32_t v = 0; v < model.bodies[1].vertex_begin; ++v)
+    if (plate.rest_positions[v].y() > kSize + 0.03 - 1e-9) motion.vertices.push_back(v);
+  model.motions = {motion};
+  Tool ground;
+  ground.name = "ground";
+  ground.shape = PlaneShape{{0, 0, 0}, {0, 1, 0}};
+  ground.friction = 0.5;
+  ground.path.emplace_back();
+  model.tools = {ground};
+  model.gravity = {0, -9.81, 0};
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  const NewtonReport report = solver.solve_static(state);
+  const double force = solver.tool_loads()[0].force.y(), way = state.displacement[motion.vertices[0]].y();
+  CAPTURE(pushes, report.iterations, report.goes_through, force / kWeight, way);
+  CHECK(report.converged);
+  CHECK(way == Approx(-0.014));
+  if (pushes)
+    CHECK(force > 2 * kWeight);  // it is squeezed by 4 mm of 40, 20 kPa
+  else
+    CHECK(force == Approx(kWeight).epsilon(1e-6));
+  CHECK(penetrating_triangles(model, state.displacement) == 0);
+}
+
 }  // namespace
 }  // namespace fascia::reference
