@@ -46,6 +46,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
   double change = 0, unsteady = 0, largest = 0, fall = first_fall;  // [N], [N], [N], [s]
   VectorXd from = u, inertia = VectorXd::Zero(u.size());
   int shortened = 0, keep = 0, searched = 0;
+  bool went_through = false;   // a fall was shortened for what it went through
   ToolMotion passed = motion;  // of the tools until the end of the next minimization
   const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
   const auto fall_from = [&](const VectorXd& place) {
@@ -70,10 +71,12 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
         passed.from = passed.to;
         return;
       }
+      went_through |= report.goes_through;
       if (!std::exchange(lands, true)) from = u;
       fall /= 2;
       keep = kept_length;
       if (fall < shortest_fall || ++shortened > most_shortened || searched > search_patience) {
+        report.goes_through = went_through;
         report.converged = false;
         return;
       }
@@ -110,6 +113,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
       return;
     if (lands && (u - begin).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
     if (searched > search_patience) {
+      report.goes_through = went_through;
       report.converged = false;
       return;
     }
