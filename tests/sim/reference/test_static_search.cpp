@@ -34,6 +34,16 @@ Model cube_above(double height, double young_modulus, const Matrix3d& turn) {
   return moved(std::move(body), {0, height - low, 0});
 }
 
+// That stays where it is.
+Tool still(const std::string& name, const ToolShape& shape) {
+  Tool tool;
+  tool.name = name;
+  tool.shape = shape;
+  tool.friction = 0.5;
+  tool.path.emplace_back();
+  return tool;
+}
+
 double lowest(const Model& model, const State& state, std::uint32_t first_vertex) {
   double low = 1e9;
   for (std::size_t v = first_vertex; v < state.displacement.size(); ++v)
@@ -67,12 +77,7 @@ TEST_CASE("a body that falls by a multiple of its size rests on a thin plate", "
   for (const double sizes : {0.1, 1.5, 3.0})
     for (const Matrix3d& turn : {Matrix3d(Matrix3d::Identity()), kTilt}) {
       Model model = cube_above(sizes * kSize, 1e5, turn);
-      Tool plate;
-      plate.name = "plate";
-      plate.shape = BoxShape{{0, -0.0005, 0}, {0.1, 0.0005, 0.1}};
-      plate.friction = 0.5;
-      plate.path.emplace_back();
-      model.tools = {plate};
+      model.tools = {still("plate", BoxShape{{0, -0.0005, 0}, {0.1, 0.0005, 0.1}})};
       model.gravity = {0, -9.81, 0};
       NewtonSolver solver(model, frames());
       State state = initial_state(model);
@@ -140,12 +145,7 @@ TEST_CASE("a script moves its tissue while another body falls", "[static]") {
   for (std::uint32_t v = 0; v < model.bodies[1].vertex_begin; ++v)
     if (plate.rest_positions[v].y() > kSize + 0.03 - 1e-9) motion.vertices.push_back(v);
   model.motions = {motion};
-  Tool ground;
-  ground.name = "ground";
-  ground.shape = PlaneShape{{0, 0, 0}, {0, 1, 0}};
-  ground.friction = 0.5;
-  ground.path.emplace_back();
-  model.tools = {ground};
+  model.tools = {still("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}})};
   model.gravity = {0, -9.81, 0};
   NewtonSolver solver(model, frames());
   State state = initial_state(model);
