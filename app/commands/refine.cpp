@@ -115,6 +115,7 @@ void add_refine(CLI::App& program, Invocation& invocation) {
   CLI::App& command = *program.add_subcommand(
       "refine", "proposes elements, mesh, integrator and iterations for a wanted error in a wanted time");
   add_common(command, *options);
+  for (const char* refused : {"--static", "--reference"}) command.get_option(refused)->group("");  // not in the help
   add_quantity(command, "--error", options->error, "2%", "2%", {{"%", 0.01}, {"", 1}}, 1,
                "wanted error of the displacements, relative");
   add_quantity(command, "--frame", options->frame_ms, "16ms", "16ms", {{"ms", 1}, {"s", 1000}, {"", 1}},

@@ -85,8 +85,8 @@ class GpuSolver {
   std::optional<StateGuard::Verdict> take_check(bool wait);
   /// The same at once, for a state that is not kept: waits for the GPU and does not affect later steps.
   std::optional<std::uint32_t> diverged_now() const;
-  /// Sets the state at rest `equilibrium`, inside a solved step, so that its diagnostics are those of a step. No time
-  /// passes.
+  /// Sets the state at rest `equilibrium` and its time, inside a solved step, so that its diagnostics are those of a
+  /// step.
   void settle(const State& equilibrium);
   /// A step in which nothing moves: the state, which was just found valid, stays unchanged.
   void rest();

@@ -304,11 +304,10 @@ void GpuSolver::step() {
 }
 
 void GpuSolver::settle(const State& equilibrium) {
-  const double time = time_;
   upload(equilibrium);
   step();
   buffers_.upload_state(model_, equilibrium);
-  time_ = time;
+  time_ = equilibrium.time;
   earlier_step_ = 0;
   published_ = false;
   guard_.keep(buffers_, {time_});

@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double step_tolerance = 1e-12;
-constexpr double increment_tolerance = 1e-6;  // of intermediate equilibria, which only start the next increment
 constexpr double smallest_increment = 1.0 / 128;
 constexpr int patience = 40;  // Newton iterations after which a smaller increment is tried
 

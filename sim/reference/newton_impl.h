@@ -19,7 +19,8 @@
 
 namespace fascia::reference {
 
-inline constexpr int last_patience = 400;  // Newton iterations, if no smaller increment can be tried
+inline constexpr int last_patience = 400;            // Newton iterations, if no smaller increment can be tried
+inline constexpr double increment_tolerance = 1e-6;  // of intermediate equilibria, which only start the next increment
 
 /// [3 * vertex_count] each value of a vertex three times.
 inline Eigen::VectorXd per_component(const std::vector<double>& per_vertex) {
@@ -101,8 +102,10 @@ struct NewtonSolver::Impl {
     return tools ? *tools : motion_on_paths(model.tools, from, to);
   }
   NewtonReport solve_static(State& state, double tolerance, std::optional<double> until);
-  /// The equilibrium at `end`, by one problem whose tools are where `motion` ends.
-  NewtonReport equilibrium(State& state, double tolerance, double end, double moment, const ToolMotion& motion);
+  /// The equilibrium at `end`, by one problem whose tools are where `motion` ends, once the forces of contact change by
+  /// no more than `steady` in a pass, relative to the largest one.
+  NewtonReport equilibrium(State& state, double tolerance, double steady, double end, double moment,
+                           const ToolMotion& motion);
   /// eps* [tet_count].
   std::vector<Eigen::Matrix3d> strains(const IntegratorStage& stage, const Eigen::VectorXd& now,
                                        const Eigen::VectorXd& earlier) const;
@@ -113,11 +116,11 @@ struct NewtonSolver::Impl {
   NewtonReport follow(const HeldPath& path, const std::function<Potential(double s)>& potential, bool divisible,
                       double tolerance, Eigen::VectorXd& u);
 
-  /// Repeats the update of the multipliers in `memory` from the equilibrium `u` until the forces stay, or change by no
-  /// more than rounding. A body that only contact supports `lands` first: it falls without speed, for longer in every
-  /// pass, so that its inertia vanishes.
+  /// Repeats the update of the multipliers in `memory` from the equilibrium `u` until the forces are `steady`, or
+  /// change by no more than rounding. A body that only contact supports `lands` first: it falls without speed, for
+  /// longer in every pass, so that its inertia vanishes.
   void settle_forces(Potential potential, const std::vector<double>& stiffness, const ToolMotion& motion, bool lands,
-                     double tolerance, NewtonReport& report, ContactMemory& memory, Eigen::VectorXd& u);
+                     double tolerance, double steady, NewtonReport& report, ContactMemory& memory, Eigen::VectorXd& u);
 
   const Model& model;
   const SolverSettings settings;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "sim/contact/passing/gripped_bodies.h"
 #include "sim/reference/newton_impl.h"
 #include "sim/tool/tool_approach.h"
 
@@ -31,6 +32,7 @@ constexpr int search_patience =
 constexpr int retry_patience = 2500;  // the same of all parts of a motion that led through something
 constexpr double hindering = 1e-3;    // share of the change of forces in a pass by which inertia hinders rest
 constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
+constexpr double passing_forces = 1e-4;  // the same on the way of tools, where equilibria only start the next part
 constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
 constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
 constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
@@ -39,15 +41,16 @@ constexpr double shortest_part = 1.0 / 1024;  // of the time of a prescribed mot
 }  // namespace
 
 void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<double>& stiffness,
-                                       const ToolMotion& motion, bool lands, double tolerance, NewtonReport& report,
-                                       ContactMemory& memory, VectorXd& u) {
+                                       const ToolMotion& motion, bool lands, double tolerance, double steady,
+                                       NewtonReport& report, ContactMemory& memory, VectorXd& u) {
   const VectorXd begin = potential.start;
   VectorXd start = begin;                                           // from where friction counts
   double change = 0, unsteady = 0, largest = 0, fall = first_fall;  // [N], [N], [N], [s]
   VectorXd from = u, inertia = VectorXd::Zero(u.size());
   int shortened = 0, keep = 0, searched = 0;
-  bool went_through = false;   // a fall was shortened for what it went through
-  ToolMotion passed = motion;  // of the tools until the end of the next minimization
+  bool went_through = false;                // a fall was shortened for what it went through
+  ToolMotion passed = motion;               // of the tools until the end of the next minimization
+  if (u != begin) passed.from = passed.to;  // a way that was looked at before
   const auto borne = [&] { return inertia.cwiseProduct(u - from).lpNorm<Eigen::Infinity>(); };  // [N] by falling
   const auto fall_from = [&](const VectorXd& place) {
     potential.target = from = place;
@@ -65,6 +68,10 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
       report.go_on(minimizer.minimize(potential, tolerance, {most, false, stop}, trial));
       if (shortened > 0) searched += report.iterations - before;
       report.goes_through = !clear(u, trial, passed);
+      if (report.goes_through && !clear.of_moving_tools(u, trial, passed)) {  // shorter ways of the tools may help
+        report.converged = false;
+        return;
+      }
       const bool serves = !report.goes_through && (report.converged || !lands);
       if (serves || stop.stop_requested()) {
         u = std::move(trial);
@@ -108,7 +115,7 @@ void NewtonSolver::Impl::settle_forces(Potential potential, const std::vector<do
           std::max({change, std::abs(memory[row].normal - old.normal), (memory[row].friction - old.friction).norm()});
       largest = std::max(largest, memory[row].normal);
     }
-    if (change <= steady_forces * largest) return;
+    if (change <= steady * largest) return;
     if (change <= rounded_forces * largest && change > 0.5 * previous && change <= potential.contact->rounding(u))
       return;
     if (lands && (u - begin).lpNorm<Eigen::Infinity>() > farthest_fall * size) break;
@@ -139,30 +146,54 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
     return depth_in_tissue(model, contact, state.displacement, tool, place);
   };
   NewtonReport report;
+  const GrippedBodies gripped(model, contact);
+  const double shortest = shortest_part * (end - begin);
   int in_vain = 0;  // Newton iterations
-  for (const double time : approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth)) {
-    for (double to = time;;) {
-      const int before = report.iterations;
+  std::vector<double> times = approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth);
+  // What tools grip on their way ends elsewhere than what they only pass.
+  if (!tools && unconstrained_parts(model, model.held()).parts > 0)
+    for (const Tool& tool : model.tools)
+      for (const Instrument::Key& key : tool.path)
+        if (key.time > begin && key.time < end) times.push_back(key.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  for (const double time : times) {
+    double part = time - state.time;  // [s]
+    do {
+      const auto to = [&] { return state.time + part < time - 0.5 * shortest ? state.time + part : time; };
+      const VectorXd u = flattened(state.displacement);
+      VectorXd carried = u;
+      ToolMotion way, rest;  // of all tools, and of those that carry nothing
+      const auto is_clear = [&] {
+        rest = way = motion(state.time, to());
+        carried = u;
+        gripped.carry(state.contact, carried, rest);
+        return clear.of_moving_tools(u, carried, way) && (carried == u || clear(u, carried, way)) &&
+               !gripped.slide(state.contact, carried, rest);
+      };
+      while (!is_clear() && part > shortest) part /= 2;
       State next = state;
-      report = equilibrium(next, tolerance, to, moment, motion(state.time, to));
+      next.displacement = as_vectors(carried);
+      const int before = report.iterations;
+      const bool passes = to() < end;
+      report = equilibrium(next, passes ? std::max(tolerance, increment_tolerance) : tolerance,
+                           passes ? passing_forces : steady_forces, to(), moment, rest);
+      if (report.goes_through) in_vain += report.iterations;
       report.iterations += before;
-      // What a script moves through tissue at once may push it aside in shorter parts.
-      const double half = 0.5 * (state.time + to);
-      if (report.goes_through) in_vain += report.iterations - before;
-      if (report.goes_through && in_vain < retry_patience && half - state.time > 0.5 * shortest_part * (end - begin)) {
-        to = half;
+      // What a script or a tool moves through tissue at once may push it aside in shorter parts.
+      if (report.goes_through && in_vain < retry_patience && part > shortest && !stop.stop_requested()) {
+        part /= 2;
         continue;
       }
       state = std::move(next);
       if (!report.converged || stop.stop_requested()) return report;
-      if (to == time) break;
-      to = time;
-    }
+      part = std::min(2 * part, time - state.time);
+    } while (state.time < time);
   }
   return report;
 }
 
-NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, double end, double moment,
+NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, double steady, double end, double moment,
                                              const ToolMotion& motion) {
   VectorXd u = flattened(state.displacement), internal;
   const HeldPath path(model, u, state.time, std::max(end, state.time + moment));
@@ -193,14 +224,14 @@ NewtonReport NewtonSolver::Impl::equilibrium(State& state, double tolerance, dou
     report = follow(
         path, [&](double s) { return loaded(s, holds); }, true, tolerance, u);
     report.goes_through = !clear(start, u, motion);
-    if (report.goes_through && !path.moves()) {
+    if (report.goes_through && !path.moves() && clear.of_moving_tools(start, u, motion)) {
       u = start;
       lands = report.converged = true;
       report.goes_through = false;
     }
   }
   if (touches() && !report.goes_through)
-    settle_forces(loaded(1, zero), stiffer, motion, lands, tolerance, report, state.contact, u);
+    settle_forces(loaded(1, zero), stiffer, motion, lands, tolerance, steady, report, state.contact, u);
   report.goes_through = report.goes_through || clear.cuts(start, u);
   report.converged = report.converged && !report.goes_through;
   state.displacement = as_vectors(u);

@@ -77,20 +77,27 @@ ClearWay::ClearWay(const Model& model, const ContactSurface& contact, double ski
 }
 
 bool ClearWay::operator()(const VectorXd& from, const VectorXd& to, const ToolMotion& motion) {
-  return clear_of_tools(from, to, motion) && clear_of_tissue(from, to);
+  return std::all_of(contact_.pieces.begin(), contact_.pieces.end(),
+                     [&](const ContactPiece& piece) { return clear_of(piece, from, to, motion); }) &&
+         clear_of_tissue(from, to);
 }
 
-bool ClearWay::clear_of_tools(const VectorXd& from, const VectorXd& to, const ToolMotion& motion) const {
-  for (const ContactPiece& piece : contact_.pieces) {
-    if (!(motion.from[piece.tool] == motion.to[piece.tool])) continue;
-    const Tool& tool = model_.tools[piece.tool];
-    const RigidPose pose = tool.pose_of_piece(piece.piece, motion.to[piece.tool]);
-    for (std::uint32_t p = 0; p < piece.points; ++p) {
-      const ContactPoint& point = contact_.points[p];
-      if (goes_through(tool.shape, pose.to_local(point.place(model_.rest_positions, from)),
-                       pose.to_local(point.place(model_.rest_positions, to)), 0.5 * model_.contact.thickness))
-        return false;
-    }
+bool ClearWay::of_moving_tools(const VectorXd& from, const VectorXd& to, const ToolMotion& motion) const {
+  return std::all_of(contact_.pieces.begin(), contact_.pieces.end(), [&](const ContactPiece& piece) {
+    return motion.from[piece.tool] == motion.to[piece.tool] || clear_of(piece, from, to, motion);
+  });
+}
+
+bool ClearWay::clear_of(const ContactPiece& piece, const VectorXd& from, const VectorXd& to,
+                        const ToolMotion& motion) const {
+  const Tool& tool = model_.tools[piece.tool];
+  const RigidPose begin = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
+  const RigidPose end = tool.pose_of_piece(piece.piece, motion.to[piece.tool]);
+  for (std::uint32_t p = 0; p < piece.points; ++p) {
+    const ContactPoint& point = contact_.points[p];
+    if (goes_through(tool.shape, begin.to_local(point.place(model_.rest_positions, from)),
+                     end.to_local(point.place(model_.rest_positions, to)), 0.5 * model_.contact.thickness))
+      return false;
   }
   return true;
 }

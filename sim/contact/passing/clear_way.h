@@ -1,6 +1,6 @@
 // Whether tissue goes from one state to another without going through tools or other bodies. A static solve asks it of
-// every fall: its states have no motion between them that would be known to be possible, so that the straight one of
-// all vertices stands for it.
+// every fall and of every part of the way of its tools: its states have no motion between them that would be known to
+// be possible, so that the straight one of all vertices stands for it.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -23,9 +23,11 @@ class ClearWay {
  public:
   /// `skin`: between surfaces of tissue [m]. Both references must outlive this object.
   ClearWay(const Model& model, const ContactSurface& contact, double skin);
-  /// `from`, `to`: displacements [3 * vertex_count] [m], with the tools that stand still in `motion`. What began
-  /// inside, or behind a face, may leave.
+  /// `from`, `to`: displacements [3 * vertex_count] [m] at the two ends of `motion`. What began inside, or behind a
+  /// face, may leave.
   bool operator()(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const ToolMotion& motion);
+  /// The same of the tools that move in `motion` alone. Each goes straight as the tissue sees it.
+  bool of_moving_tools(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const ToolMotion& motion) const;
   /// Whether the surfaces of two bodies cut each other at `to` and do not at `from`.
   bool cuts(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
 
@@ -34,7 +36,8 @@ class ClearWay {
     BoxTree tree;  // around the ways of its triangles
     std::vector<std::uint32_t> triangles, vertices, edges;
   };
-  bool clear_of_tools(const Eigen::VectorXd& from, const Eigen::VectorXd& to, const ToolMotion& motion) const;
+  bool clear_of(const ContactPiece& piece, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                const ToolMotion& motion) const;
   bool clear_of_tissue(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
   Eigen::AlignedBox3d way_of(std::uint32_t v) const { return Eigen::AlignedBox3d(from_[v]).extend(to_[v]); }
   void place(const Eigen::VectorXd& from, const Eigen::VectorXd& to);

@@ -161,5 +161,55 @@ TEST_CASE("a script moves its tissue while another body falls", "[static]") {
   CHECK(penetrating_triangles(model, state.displacement) == 0);
 }
 
+// That goes from one place to another within a second.
+Tool raised(const std::string& name, const ToolShape& shape, const Vector3d& from, const Vector3d& to) {
+  Tool tool = still(name, shape);
+  tool.path = {{0, from, {0, 0, 0}, 0}, {1, to, {0, 0, 0}, 0}};
+  return tool;
+}
+
+// From below to beyond where it began, so that nothing at the end tells that it has been below.
+TEST_CASE("a tool that is raised takes what is above it along", "[static]") {
+  const auto held = [](const Vector3d& x) { return x.x() < 1e-9 || x.x() > 0.2 - 1e-9; };
+  Model model = moved(box_model(8, 1, 3, {0.2, 0.02, 0.08}, soft(2e4), held), {-0.1, -0.01, -0.04});
+  SECTION("tissue that is held at both ends") {
+    model.tools = {raised("ball", SphereShape{{0, 0, 0}, 0.03}, {0, -0.15, 0}, {0, 0.03, 0})};
+  }
+  SECTION("a free body on the ground") {
+    model = cube_above(0, 2e4, Matrix3d::Identity());
+    model.tools = {raised("plate", BoxShape{{0, 0, 0}, {0.05, 0.005, 0.05}}, {0, -0.02, 0}, {0, 0.1, 0}),
+                   still("ground", PlaneShape{{0, 0, 0}, {0, 1, 0}})};
+  }
+  model.gravity = {0, -9.81, 0};
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  const NewtonReport report = solver.solve_static(state);
+  const double force = solver.tool_loads()[0].force.y();
+  CAPTURE(report.iterations, report.relative_residual, report.goes_through, force);
+  CHECK(report.converged);
+  CHECK(state.time == 1);
+  double highest = -1;
+  for (std::size_t v = 0; v < state.displacement.size(); ++v)
+    highest = std::max(highest, model.rest_positions[v].y() + state.displacement[v].y());
+  CHECK(highest > (model.tools.size() == 1 ? 0.06 : 0.105));  // above the tool
+  if (model.tools.size() == 1)
+    CHECK(force > 1000 * 0.2 * 0.02 * 0.08 * 9.81);  // more than its weight: it is stretched
+  else
+    CHECK((solver.tool_loads()[0].force - Vector3d(0, kWeight, 0)).norm() < 1e-6 * kWeight);
+}
+
+// A ball of 3 cm that ends far beyond a thin sheet that is held all around cannot be where the sheet would let it.
+TEST_CASE("a tool that would end beyond held tissue is no equilibrium", "[static]") {
+  const auto rim = [](const Vector3d& x) { return std::min({x.x(), 0.08 - x.x(), x.z(), 0.08 - x.z()}) < 1e-9; };
+  Model model = moved(box_model(4, 1, 4, {0.08, 0.005, 0.08}, soft(1e5), rim), {-0.04, 0, -0.04});
+  model.tools = {raised("ball", SphereShape{{0, 0, 0}, 0.03}, {0, -0.05, 0}, {0, 1, 0})};
+  NewtonSolver solver(model, frames());
+  State state = initial_state(model);
+  const NewtonReport report = solver.solve_static(state);
+  const double force = solver.tool_loads()[0].force.y();
+  CAPTURE(report.iterations, report.converged, report.goes_through, force, state.time);
+  CHECK((!report.converged || force > 1));
+}
+
 }  // namespace
 }  // namespace fascia::reference

@@ -56,6 +56,34 @@ TEST_CASE("after a static solve by the reference solver its forces of contact ar
   }
 }
 
+// What pictures, exports and the step after show is the tool that presses, not where its path begins.
+TEST_CASE("after a static solve, time and tools are at the end of their paths", "[static]") {
+  FreeCube cube;
+  Instrument plate;
+  plate.name = "plate";
+  plate.shape = ToolShape(BoxShape{{0, 0, 0}, {0.1, 0.01, 0.1}});
+  plate.path = {{0, {0.05, 0.2, 0.05}, {0, 0, 0}, 0},
+                {2, {0.05, 0.1, 0.05}, {0, 0, 0}, 0}};  // presses the cube by 1 cm
+  cube.scene.tools.instruments = {plate};
+  Graphics graphics = open_graphics(test::headless(), false);
+  for (const bool reference : {false, true}) {
+    Simulation simulation(cube.scene, reference ? nullptr : graphics.programs.get(), reference);
+    CAPTURE(reference);
+    const StaticReport report = simulation.solve_static();
+    CHECK(report.converged);
+    CHECK(simulation.time() == 2);
+    const std::vector<ToolPlace> places = simulation.tool_places();
+    CHECK(places.back().pose.origin.y() == Approx(0.1));
+    const State before = simulation.state();
+    simulation.step();
+    const State after = simulation.state();
+    double farthest = 0;
+    for (std::size_t v = 0; v < before.displacement.size(); ++v)
+      farthest = std::max(farthest, (after.displacement[v] - before.displacement[v]).norm());
+    CHECK(farthest < 1e-6);  // nothing lets go of it
+  }
+}
+
 TEST_CASE("a body that falls far onto the ground ends at rounding, whatever its stiffness", "[static]") {
   for (const double height : {0.2, 0.4, 1.0})
     for (const double modulus : {1e4, 1e5, 1e6, 1e7}) {

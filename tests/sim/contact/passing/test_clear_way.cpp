@@ -57,5 +57,34 @@ TEST_CASE("a body goes through another one by its vertices, by the other's, or b
   }
 }
 
+TEST_CASE("a tool that moves goes through tissue that stands still, and not around it", "[contact]") {
+  Model model = test::box_model(1, 1, 1, {0.1, 0.1, 0.1}, test::soft(1e5));
+  Tool plate;
+  plate.shape = BoxShape{{0, 0, 0}, {0.2, 0.002, 0.2}};
+  plate.path.emplace_back();
+  Tool ball;
+  ball.shape = SphereShape{{0, 0, 0}, 0.01};
+  ball.path.emplace_back();
+  model.tools = {plate, ball};
+  const ContactSurface contact = make_contact_surface(model);
+  const ClearWay clear(model, contact, 0);
+  const VectorXd still = VectorXd::Zero(24);
+  const auto way = [&](std::size_t tool, const Vector3d& from, const Vector3d& to) {
+    ToolMotion motion = motion_on_paths(model.tools, 0, 0);
+    const Vector3d away(5, 5, 5);
+    for (ToolPlace& place : motion.from) place.pose.origin = away;
+    motion.to = motion.from;
+    motion.from[tool].pose.origin = from;
+    motion.to[tool].pose.origin = to;
+    return clear.of_moving_tools(still, still, motion);
+  };
+  CHECK_FALSE(way(0, {0.05, -0.1, 0.05}, {0.05, 0.2, 0.05}));
+  CHECK(way(0, {0.05, -0.1, 0.05}, {0.05, -0.01, 0.05}));
+  CHECK(way(0, {0.05, -0.1, 0.05}, {0.05, -0.0015, 0.05}));  // presses it by a little
+  CHECK(way(0, {0.5, -0.1, 0.05}, {0.5, 0.2, 0.05}));        // beside it
+  CHECK_FALSE(way(1, {0.05, -0.05, 0.05}, {0.05, 0.15, 0.05}));
+  CHECK(way(1, {-0.05, -0.05, 0.05}, {-0.05, 0.15, 0.05}));
+}
+
 }  // namespace
 }  // namespace fascia
