@@ -38,7 +38,7 @@ void load_rows(const std::optional<ToolLoad>& load) {
 
 void hand_rows(const Tool& tool, const InstrumentState& state, Requests& requests) {
   ui::fact(
-      "Gap", engineering(state.gap, "m") + (state.waits ? ", tissue is crushed" : ""),
+      "Gap", engineering(state.gap, "m") + (state.waits ? ", tissue cannot follow" : ""),
       "Way of its farthest point to the place that the hand commands. Near tissue an instrument moves by at most a "
       "quarter of its finest radius in a step, so that it touches what it meets. It does not press on tissue whose "
       "volume is below a tenth of that at rest: it waits until the hand leads it another way",

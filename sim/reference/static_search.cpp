@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "sim/contact/passing/gripped_bodies.h"
+#include "sim/contact/passing/borne_bodies.h"
 #include "sim/reference/newton_impl.h"
 #include "sim/tool/tool_approach.h"
 
@@ -32,7 +32,7 @@ constexpr int search_patience =
 constexpr int retry_patience = 2500;  // the same of all parts of a motion that led through something
 constexpr double hindering = 1e-3;    // share of the change of forces in a pass by which inertia hinders rest
 constexpr double steady_forces = 1e-9;   // change of the forces of contact in a pass, relative to the largest one
-constexpr double passing_forces = 1e-4;  // the same on the way of tools, where equilibria only start the next part
+constexpr double passing_forces = 1e-2;  // the same on the way of tools, where equilibria only start the next part
 constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
 constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
 constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
@@ -146,18 +146,10 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
     return depth_in_tissue(model, contact, state.displacement, tool, place);
   };
   NewtonReport report;
-  const GrippedBodies gripped(model, contact);
+  const BorneBodies borne(model, contact);
   const double shortest = shortest_part * (end - begin);
   int in_vain = 0;  // Newton iterations
-  std::vector<double> times = approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth);
-  // What tools grip on their way ends elsewhere than what they only pass.
-  if (!tools && unconstrained_parts(model, model.held()).parts > 0)
-    for (const Tool& tool : model.tools)
-      for (const Instrument::Key& key : tool.path)
-        if (key.time > begin && key.time < end) times.push_back(key.time);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  for (const double time : times) {
+  for (const double time : approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth)) {
     double part = time - state.time;  // [s]
     do {
       const auto to = [&] { return state.time + part < time - 0.5 * shortest ? state.time + part : time; };
@@ -167,9 +159,8 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
       const auto is_clear = [&] {
         rest = way = motion(state.time, to());
         carried = u;
-        gripped.carry(state.contact, carried, rest);
-        return clear.of_moving_tools(u, carried, way) && (carried == u || clear(u, carried, way)) &&
-               !gripped.slide(state.contact, carried, rest);
+        borne.carry(state.contact, carried, rest);
+        return clear.of_moving_tools(u, carried, way) && (carried == u || clear(u, carried, way));
       };
       while (!is_clear() && part > shortest) part /= 2;
       State next = state;

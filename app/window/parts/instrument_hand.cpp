@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/state/deformed_positions.h"
-#include "sim/contact/tissue/crushed_tissue.h"
+#include "sim/contact/tissue/kept_back.h"
 #include "sim/tool/followed_place.h"
 #include "sim/visual/picking.h"
 #include "sim/visual/tool_picking.h"
@@ -116,12 +116,14 @@ void InstrumentHand::lead(Session& session) {
   if (!cover_) cover_ = std::make_unique<TissueCover>(simulation.model, followed_radius(tool, 2 * session.look.radius));
   const std::vector<Vector3d> positions = deformed_positions(session);
   cover_->follow(positions);
-  const ToolPlace next = followed_place(tool, now, wanted, cover_->size(),
-                                        [&](const ToolPlace& place) { return cover_->clearance(tool, place); });
+  const ToolPlace followed = followed_place(tool, now, wanted, cover_->size(),
+                                            [&](const ToolPlace& place) { return cover_->clearance(tool, place); });
   const double near = followed_radius(tool, cover_->size());
-  waits_ = cover_->clearance(tool, next) < near &&
-           presses_crushed_tissue(simulation.model, positions, tool, now, next, near);
-  if (waits_) return stay(simulation, now);
+  const ToolPlace next = cover_->clearance(tool, followed) < near
+                             ? kept_back(simulation.model, *cover_, positions, tool, now, followed, near)
+                             : followed;
+  waits_ = !(next == followed);
+  if (next == now) return stay(simulation, now);
   simulation.lead({tool.name, next == wanted ? *commanded_ : led_place(next)});
 }
 

@@ -1,4 +1,4 @@
-// Free bodies that tools grip, or bear, on the way of a static solve. It goes to equilibria from rest, so that a body
+// Free bodies that tools bear or hold on the way of a static solve. It goes to equilibria from rest, so that a body
 // that does not begin where its tools have gone would be left behind.
 #pragma once
 #include <Eigen/Core>
@@ -10,17 +10,14 @@
 
 namespace fascia {
 
-class GrippedBodies {
+class BorneBodies {
  public:
   /// Both references must outlive this object.
-  GrippedBodies(const Model& model, const ContactSurface& contact);
+  BorneBodies(const Model& model, const ContactSurface& contact);
   /// Takes along what moving tools alone press by the forces in `memory`, if all of them move alike and press nothing
   /// else: its displacements in `u` [3 * vertex_count] become those at the end of `motion`, in which these tools then
   /// stand still.
   void carry(const ContactMemory& memory, Eigen::VectorXd& u, ToolMotion& motion) const;
-  /// Whether a tool slides across a free body that it presses by more than half of its finest part: friction leads a
-  /// body no farther in one fall.
-  bool slide(const ContactMemory& memory, const Eigen::VectorXd& u, const ToolMotion& motion) const;
 
  private:
   struct Press {

@@ -1,4 +1,4 @@
-#include "sim/contact/passing/gripped_bodies.h"
+#include "sim/contact/passing/borne_bodies.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,6 @@
 
 #include "sim/contact/pair_row.h"
 #include "sim/model/unconstrained_parts.h"
-#include "sim/tool/shape_distance.h"
 
 namespace fascia {
 namespace {
@@ -15,7 +14,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kPresses = 1e-6;  // of the largest normal force: less is what a body was pressed with
-constexpr double kFarthest = 0.5;  // of the finest part
 constexpr double kUnmoved = 1e-9;  // of a turn, and of the size of a place [m]
 
 RigidPose way_of(const Tool& tool, std::size_t piece, const ToolMotion& motion, std::size_t index) {
@@ -34,10 +32,10 @@ bool are_alike(const RigidPose& a, const RigidPose& b) {
 
 }  // namespace
 
-GrippedBodies::GrippedBodies(const Model& model, const ContactSurface& contact)
+BorneBodies::BorneBodies(const Model& model, const ContactSurface& contact)
     : model_(model), contact_(contact), part_of_(unconstrained_parts(model, model.held()).part) {}
 
-std::vector<GrippedBodies::Press> GrippedBodies::presses(const ContactMemory& memory) const {
+std::vector<BorneBodies::Press> BorneBodies::presses(const ContactMemory& memory) const {
   std::vector<Press> found;
   if (memory.size() < contact_.row_count) return found;
   double largest = 0;
@@ -51,7 +49,7 @@ std::vector<GrippedBodies::Press> GrippedBodies::presses(const ContactMemory& me
   return found;
 }
 
-void GrippedBodies::carry(const ContactMemory& memory, VectorXd& u, ToolMotion& motion) const {
+void BorneBodies::carry(const ContactMemory& memory, VectorXd& u, ToolMotion& motion) const {
   // What tissue presses, too, does not go with the tools alone.
   for (std::size_t slot = 0; contact_.row_count + memory_rows(static_cast<std::uint32_t>(slot)) < memory.size(); ++slot)
     if (memory[contact_.row_count + force_row(static_cast<std::uint32_t>(slot))].normal > 0) return;
@@ -84,20 +82,6 @@ void GrippedBodies::carry(const ContactMemory& memory, VectorXd& u, ToolMotion& 
       motion.from[tool] = motion.to[tool];
     }
   }
-}
-
-bool GrippedBodies::slide(const ContactMemory& memory, const VectorXd& u, const ToolMotion& motion) const {
-  for (const Press& press : presses(memory)) {
-    const ContactPiece& piece = contact_.pieces[press.piece];
-    const Tool& tool = model_.tools[piece.tool];
-    if (press.part == 0 || tool.friction == 0) continue;
-    const RigidPose from = tool.pose_of_piece(piece.piece, motion.from[piece.tool]);
-    const Vector3d place = contact_.points[press.point].place(model_.rest_positions, u);
-    const Vector3d normal = from.axes * distance_to(tool.shape, from.to_local(place)).normal.normalized();
-    const Vector3d way = way_of(tool, piece.piece, motion, piece.tool).to_scene(place) - place;
-    if ((way - way.dot(normal) * normal).norm() > kFarthest * contact_.finest_parts[piece.tool]) return true;
-  }
-  return false;
 }
 
 }  // namespace fascia
