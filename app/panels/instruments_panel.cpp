@@ -36,12 +36,12 @@ void load_rows(const std::optional<ToolLoad>& load) {
   row("Points", std::to_string(l.points), "Contact points on the surface of the tissue that the instrument presses");
 }
 
-void hand_rows(const Tool& tool, const InstrumentState& state, Requests& requests) {
+void hand_rows(const Tool& tool, std::size_t index, const InstrumentState& state, Requests& requests) {
   ui::fact(
       "Gap", engineering(state.gap, "m") + (state.waits ? ", tissue cannot follow" : ""),
       "Way of its farthest point to the place that the hand commands. Near tissue an instrument moves by at most a "
-      "quarter of its finest radius in a step, so that it touches what it meets. It does not press on tissue whose "
-      "volume is below a tenth of that at rest: it waits until the hand leads it another way",
+      "quarter of its finest radius in a step, so that it touches what it meets. It does not press on tissue that is "
+      "crushed to 0.15 of its thickness or deep in it: it goes along it, or waits",
       state.waits ? &ui::kWarning : nullptr);
   if (tool.has_jaws) {
     ui::ButtonRow jaws(2);
@@ -53,9 +53,11 @@ void hand_rows(const Tool& tool, const InstrumentState& state, Requests& request
     add("Close (G)", 1, "Closes the jaws while it is held down, and they stay where it is released");
     add("Open (Shift + G)", 0, "Opens the jaws while it is held down, and they stay where it is released");
   }
-  ui::ButtonRow buttons(1);
+  ui::ButtonRow buttons(2);
   requests.let_go_instrument |=
       buttons.add("Let go (Esc)", "The instrument stays where it is, and the mouse grabs again");
+  if (buttons.add("Remove", "Takes it out of the scene. Builds the solver anew; Ctrl+Z brings it back"))
+    requests.remove_instrument = index;
 }
 
 void pair_rows(const Model& model, const std::vector<PairLoad>& loads) {
@@ -92,7 +94,7 @@ void instruments_panel(const PanelContext& context) {
     }
     ui::tooltip("Takes it in hand (Tab): left drag moves it, right drag turns it, the wheel moves it away and closer");
     load_rows(t < loads.size() ? std::optional(loads[t]) : std::nullopt);
-    if (picked) hand_rows(tools[t], state, requests);
+    if (picked) hand_rows(tools[t], t - first, state, requests);
     ImGui::Spacing();
     ImGui::PopID();
   }

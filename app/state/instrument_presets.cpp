@@ -48,4 +48,16 @@ Instrument preset_instrument(InstrumentPreset preset, const Eigen::AlignedBox3d&
   return instrument;
 }
 
+Instrument preset_instrument(InstrumentPreset preset, const Simulation& simulation) {
+  const Model& model = simulation.model;
+  Eigen::AlignedBox3d bodies;
+  const std::vector<Eigen::Vector3d> displacement = simulation.state().displacement;
+  for (std::size_t v = 0; v < displacement.size(); ++v)
+    bodies.extend(model.rest_positions[v]).extend(model.rest_positions[v] + displacement[v]);
+  std::vector<std::string> taken;
+  for (const Tool& tool : model.tools) taken.push_back(tool.name);
+  for (const BodyPart& body : model.bodies) taken.push_back(body.name);
+  return preset_instrument(preset, bodies, taken);
+}
+
 }  // namespace fascia

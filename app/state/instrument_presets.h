@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/scene/tools/scene_tools.h"
+#include "sim/simulation/simulation.h"
 
 namespace fascia {
 
@@ -21,6 +22,8 @@ inline constexpr std::array<InstrumentPresetInfo, 4> kInstrumentPresets = {
      {InstrumentPreset::forceps, "forceps", "Forceps",
       "Two jaws that close on tissue (hold G) and keep it by friction"}}};
 
+/// Above the bodies where they are and where the scene begins, so that it is in none of them after a reset either.
+Instrument preset_instrument(InstrumentPreset preset, const Simulation& simulation);
 /// Above the middle of the bodies, which `bodies` contains [m]. Its name is none of `taken`: "probe", "probe 2", ...
 Instrument preset_instrument(InstrumentPreset preset, const Eigen::AlignedBox3d& bodies,
                              const std::vector<std::string>& taken);

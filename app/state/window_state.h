@@ -122,6 +122,7 @@ struct Requests {
   std::optional<std::size_t> pick_instrument;             // tool of the model
   std::optional<double> move_jaws;                        // 0: open, 1: close, until stop_jaws
   std::optional<InstrumentPreset> add_instrument;
+  std::optional<std::size_t> remove_instrument;        // of the scene's
   std::optional<double> rescale;                       // factor for all bodies: the file has another unit
   std::optional<std::vector<std::string>> open_again;  // a mesh on its own, with these --set texts
   /// Some requests are executed with the steps and the picture of a frame.

@@ -293,6 +293,7 @@ void Window::carry_out(const Requests& requests) {
   if (requests.move_jaws) stage_.hand.move_jaws(*requests.move_jaws, sides_.held());
   if (requests.stop_jaws) stage_.hand.stop_jaws(sides_.held());
   if (requests.add_instrument) add_instrument(*requests.add_instrument);
+  if (requests.remove_instrument) remove_instrument(*requests.remove_instrument);
   if (requests.let_go) stage_.mouse.let_go_staying(sides_.held());
   if (requests.reload_shaders) reload_shaders();
   if (requests.close) glfwSetWindowShouldClose(graphics_.context->window(), GLFW_TRUE);
@@ -358,18 +359,17 @@ void Window::open_again(const std::vector<std::string>& overrides) {
 }
 
 void Window::add_instrument(InstrumentPreset preset) {
-  const Simulation& simulation = stage_.simulation();
-  Eigen::AlignedBox3d bodies;
-  const std::vector<Eigen::Vector3d> displacement = simulation.state().displacement;
-  for (std::size_t v = 0; v < displacement.size(); ++v)
-    bodies.extend(simulation.model.rest_positions[v] + displacement[v]);
-  std::vector<std::string> taken;
-  for (const Tool& tool : simulation.model.tools) taken.push_back(tool.name);
-  for (const BodyPart& body : simulation.model.bodies) taken.push_back(body.name);
-  std::vector<Instrument> instruments = simulation.scene.tools.instruments;
-  instruments.push_back(preset_instrument(preset, bodies, taken));
+  std::vector<Instrument> instruments = stage_.simulation().scene.tools.instruments;
+  instruments.push_back(preset_instrument(preset, stage_.simulation()));
   tuning_.set_instruments(instruments);
   stage_.hand.pick(stage_.simulation().model.tools.size() - 1);
+}
+
+void Window::remove_instrument(std::size_t index) {
+  stage_.hand.pick(std::nullopt);
+  std::vector<Instrument> instruments = stage_.simulation().scene.tools.instruments;
+  instruments.erase(instruments.begin() + static_cast<std::ptrdiff_t>(index));
+  tuning_.set_instruments(instruments);
 }
 
 void Window::reset() {

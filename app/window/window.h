@@ -52,6 +52,7 @@ class Window {
   void rescale(double factor);
   void open_again(const std::vector<std::string>& overrides);
   void add_instrument(InstrumentPreset preset);
+  void remove_instrument(std::size_t index);
   void reset();
   void reload_shaders();
 
