@@ -122,6 +122,17 @@ void ScenePicture::frame_bodies() {
   stage_.state.replay_camera = false;
 }
 
+void ScenePicture::show_tool(std::size_t tool) {
+  Session& session = *stage_.session;
+  const Tool& shown = session.simulation.model.tools[tool];
+  const Eigen::Vector3d middle =
+      shown.pose_of_piece(0, session.simulation.tool_places()[tool]).to_scene(middle_of(shown.shape));
+  const double aspect = static_cast<double>(stage_.framebuffer->width()) / stage_.framebuffer->height();
+  const Eigen::Vector4f clip = session.camera.projection(aspect, session.look.radius) * session.camera.view() *
+                               middle.cast<float>().homogeneous();
+  if (clip.head<2>().cwiseAbs().maxCoeff() > clip.w()) session.frame();
+}
+
 void ScenePicture::draw_scene(const Canvas& canvas) {
   Session& session = *stage_.session;
   const Framebuffer& picture = canvas.picture;

@@ -25,6 +25,8 @@ class ScenePicture {
   bool full() const;    // whether the last frame had the quality of still pictures
   Image still();        // the last frame with its panels, in the quality of still pictures
   void frame_bodies();  // places the camera so that the bodies are seen beside the panels
+  /// Places it as when the scene was opened, if the middle of a tool of the model is not in the picture.
+  void show_tool(std::size_t tool);
 
  private:
   /// Where a scene is drawn: `scale` is the number of pixels per unit of a draw list, `left` the width of the panels

@@ -362,7 +362,9 @@ void Window::add_instrument(InstrumentPreset preset) {
   std::vector<Instrument> instruments = stage_.simulation().scene.tools.instruments;
   instruments.push_back(preset_instrument(preset, stage_.simulation()));
   tuning_.set_instruments(instruments);
-  stage_.hand.pick(stage_.simulation().model.tools.size() - 1);
+  const std::size_t added = stage_.simulation().model.tools.size() - 1;
+  stage_.hand.pick(added);
+  picture_.show_tool(added);
 }
 
 void Window::remove_instrument(std::size_t index) {
