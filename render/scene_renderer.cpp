@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cstring>
+#include <limits>
 
 #include "render/passes/ambient_occlusion.h"
 #include "render/passes/edge_smoothing.h"
@@ -60,6 +61,17 @@ Eigen::Vector3f longest_side(std::span<const Eigen::Vector3d> points) {
   return Eigen::Vector3f::Unit(axis);
 }
 
+constexpr double kShadowLag = 0.01;  // of the scene's radius
+
+// [m] between places of the same things.
+double farthest(const std::vector<Eigen::Vector4f>& now, const std::vector<Eigen::Vector4f>& before) {
+  if (now.size() != before.size()) return std::numeric_limits<double>::infinity();
+  double farthest = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    farthest = std::max<double>(farthest, (now[i] - before[i]).head<3>().norm());
+  return farthest;
+}
+
 }  // namespace
 
 struct SceneRenderer::Impl {
@@ -92,11 +104,14 @@ struct SceneRenderer::Impl {
     return occlusion ? &*occlusion : nullptr;
   }
 
-  // Whether the shadow map is drawn for this picture: not while it may serve for more pictures under the same light.
-  bool shadow_due(const FrameUniforms& now, int every, bool with_ground) {
+  // Whether the shadow map is drawn for this picture: not while it may serve for more pictures under the same light. A
+  // tool that moves fast takes tissue along, which an older map would darken in patches.
+  bool shadow_due(const FrameUniforms& now, const Look& look, bool with_ground) {
     std::array<float, 17> aim{with_ground ? 1.0f : 0.0f};
     std::memcpy(&aim[1], &now.light_projection, 16 * sizeof(float));
-    if (aim == shadow_aim && ++shadow_pictures < every) return false;
+    const bool moved = farthest(rigid_places, shadow_places) > kShadowLag * look.radius;
+    if (aim == shadow_aim && !moved && ++shadow_pictures < look.quality.shadow_every) return false;
+    shadow_places = rigid_places;
     shadow_aim = aim;
     shadow_pictures = 0;
     return true;
@@ -135,6 +150,7 @@ struct SceneRenderer::Impl {
   ShadowMap shadow;
   std::array<float, 17> shadow_aim{};  // of the shadow map: with the ground, the light's projection
   int shadow_pictures = 0;             // drawn with the shadow map
+  std::vector<Eigen::Vector4f> rigid_places, shadow_places;  // of rigid things: now, and in the shadow map
   Ground ground;
   KeptStage kept_stage;
   Marks marks;
@@ -155,7 +171,10 @@ SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::set_grabbed(std::span<const std::uint32_t> vertices) { impl_->marks.set_grabbed(vertices); }
 
-void SceneRenderer::set_rigid(const RigidSurface& surface) { impl_->rigid.set(surface); }
+void SceneRenderer::set_rigid(const RigidSurface& surface) {
+  impl_->rigid.set(surface);
+  impl_->rigid_places = surface.positions;
+}
 void SceneRenderer::set_tets(const TetView& view) { impl_->tet_view = view; }
 void SceneRenderer::set_regions(std::span<const std::uint32_t> triangle_region) {
   impl_->surface.set_regions(triangle_region);
@@ -215,7 +234,7 @@ void SceneRenderer::draw(const SurfaceView& surface, const Camera& camera, const
       clipped([&] { parts.surface.draw_depth(look); });
     parts.rigid.draw_depth(look);
   };
-  if (look.shadow && parts.shadow_due(frame, look.quality.shadow_every, ground)) parts.shadow.draw(draw_depth, ground);
+  if (look.shadow && parts.shadow_due(frame, look, ground)) parts.shadow.draw(draw_depth, ground);
 
   target.bind();
   gl::Enable(GL_DEPTH_TEST);
