@@ -13,7 +13,7 @@ set(arrows
   "sim/bare_mesh: base sim/elements sim/grab sim/material sim/mesh sim/model sim/reference sim/surface"
   "sim/coarse: shaders/shared sim/material sim/mesh sim/model"
   "sim/contact: base sim/contact/tissue sim/model sim/surface sim/tool"
-  "sim/contact/passing: sim/contact sim/contact/tissue sim/tool"
+  "sim/contact/passing: sim/contact sim/contact/tissue sim/model sim/tool"
   "sim/contact/tissue: sim/elements sim/mesh sim/model sim/surface sim/tool"
   "sim/elements: sim/mesh"
   "sim/fit: base sim/fit/measured sim/fit/simulated sim/grab sim/material sim/model sim/reference sim/scene"

@@ -51,8 +51,8 @@ std::vector<BorneBodies::Press> BorneBodies::presses(const ContactMemory& memory
 
 void BorneBodies::carry(const ContactMemory& memory, VectorXd& u, ToolMotion& motion) const {
   // What tissue presses, too, does not go with the tools alone.
-  for (std::size_t slot = 0; contact_.row_count + memory_rows(static_cast<std::uint32_t>(slot)) < memory.size(); ++slot)
-    if (memory[contact_.row_count + force_row(static_cast<std::uint32_t>(slot))].normal > 0) return;
+  for (std::uint32_t slot = 0; contact_.row_count + memory_rows(slot + 1) <= memory.size(); ++slot)
+    if (memory[contact_.row_count + force_row(slot)].normal > 0) return;
   std::map<std::uint32_t, std::set<std::uint32_t>> pieces_on;  // [part]
   std::map<std::uint32_t, std::set<std::uint32_t>> parts_of;   // [tool]
   for (const Press& press : presses(memory)) {
