@@ -20,7 +20,7 @@ std::string printed(const char* format, double a, double b = 0) {
   return text;
 }
 
-void clock_rows(const Statistics& s) {
+void clock_rows(const Statistics& s, bool paused) {
   const auto milliseconds = [&](const RecentValues& history) {
     return s.measured ? printed("%.1f ms", history.median()) : "-";
   };
@@ -40,7 +40,8 @@ void clock_rows(const Statistics& s) {
   ui::fact("Quality", s.quality,
            "Of moving pictures: a software renderer that is too slow saves some of their shadows. Still pictures, "
            "screenshots and videos have all; --quality full always");
-  ui::fact("Real time", s.measured ? printed("%.0f %%", 100 * s.speed) : "-", "Simulated time over real time");
+  ui::fact("Real time", s.measured ? printed("%.0f %%", paused ? 0 : 100 * s.speed) : "-",
+           "Simulated time over real time");
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ void statistics_panel(const PanelContext& context) {
   Session& session = context.session;
   const WindowState& state = context.state;
   const Statistics& statistics = state.statistics;
-  clock_rows(statistics);
+  clock_rows(statistics, context.state.paused);
   if (const auto& d = statistics.diagnostics) {
     const SolverSettings& asked = session.simulation.scene.solver;
     const int granted = session.simulation.iterations_granted(), run = d->iterations.value_or(granted);

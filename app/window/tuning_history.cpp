@@ -122,7 +122,10 @@ void TuningHistory::rebuild(const Tunables& wanted) {
     body.elements = wanted.elements[b];
   }
   sides_.let_go();
-  stage_.hand.pick(std::nullopt);  // tools may have other numbers
+  if (wanted.instruments == now.tools.instruments)
+    stage_.hand.rest();
+  else
+    stage_.hand.pick(std::nullopt);  // tools may have other numbers
   // With the first region there are several materials, which take other kernels
   std::unique_ptr<Session> session =
       kernels_.make(scene, [&] { return continued_session(graphics_, *stage_.session, scene); });

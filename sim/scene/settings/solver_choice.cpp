@@ -175,11 +175,12 @@ bool carries(Method method, MaterialModel model) {
 }
 
 std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic, bool contact) {
+  // What no other value of the scene would mend comes first.
+  if (contact && !info_of(method).carries_contact) return "Needs a scene without contact.";
   for (const Material& material : materials)
     if (!carries(method, material.model))
       return std::string("Needs a material of the model St. Venant-Kirchhoff, and this scene has ") +
              law_of(material.model).label + ".";
-  if (contact && !info_of(method).carries_contact) return "Needs a scene without contact.";
   return quadratic && !info_of(method).carries_quadratic ? "Needs linear elements, and this scene has quadratic ones."
                                                          : "";
 }
