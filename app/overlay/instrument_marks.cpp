@@ -66,7 +66,7 @@ void draw_instrument_marks(const MarkArea& area, const Session& session, const s
       list.AddCircle(*there, ui::px(6), color, 0, ui::px(1.6f));
     }
     if (!mark.force || !shown.forces) continue;
-    const std::string force = engineering(*mark.force, "N") + (mark.waits ? ", tissue cannot follow" : "");
+    const std::string force = engineering(*mark.force, "N") + (mark.waits ? ", tissue is crushed" : "");
     const Box label = places.place(ui::pill_box(force, here->x + ui::px(44), here->y - ui::px(34)));
     ui::pill(list, force, 0.5f * (label.left + label.right), label.top, ui::kText);
   }

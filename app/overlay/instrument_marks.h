@@ -12,7 +12,7 @@ struct InstrumentMark {
   Eigen::Vector3d at{0, 0, 0};               // of the label [m]
   std::optional<double> force;               // [N]; none: it touches nothing
   std::optional<Eigen::Vector3d> commanded;  // where the hand wants the place `at`; none: not in hand
-  bool waits = false;                        // for tissue that cannot follow
+  bool waits = false;                        // at tissue that is crushed
 };
 
 /// `loads`: [tool], possibly empty. `commanded`, `waits`: of the tool `picked`.

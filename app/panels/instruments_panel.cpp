@@ -38,10 +38,10 @@ void load_rows(const std::optional<ToolLoad>& load) {
 
 void hand_rows(const Tool& tool, std::size_t index, const InstrumentState& state, Requests& requests) {
   ui::fact(
-      "Gap", engineering(state.gap, "m") + (state.waits ? ", tissue cannot follow" : ""),
+      "Gap", engineering(state.gap, "m") + (state.waits ? ", tissue is crushed" : ""),
       "Way of its farthest point to the place that the hand commands. Near tissue an instrument moves by at most a "
       "quarter of its finest radius in a step, so that it touches what it meets. It does not press on tissue that is "
-      "crushed to 0.15 of its thickness or deep in it: it goes along it, or waits",
+      "crushed to 0.15 of its thickness: it goes along it, or waits",
       state.waits ? &ui::kWarning : nullptr);
   if (tool.has_jaws) {
     ui::ButtonRow jaws(2);

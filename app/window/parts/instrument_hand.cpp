@@ -120,7 +120,7 @@ void InstrumentHand::lead(Session& session) {
                                             [&](const ToolPlace& place) { return cover_->clearance(tool, place); });
   const double near = followed_radius(tool, cover_->size());
   const ToolPlace next = cover_->clearance(tool, followed) < near
-                             ? kept_back(simulation.model, *cover_, positions, tool, now, followed, near)
+                             ? kept_back(simulation.model, positions, tool, now, followed, near)
                              : followed;
   waits_ = !(next == followed);
   if (next == now) return stay(simulation, now);

@@ -1,5 +1,5 @@
 // An instrument in the hand of the user: the mouse commands its place, and from step to step the instrument goes there
-// as far as tissue lets it (sim/tool/followed_place.h). It goes along tissue that cannot follow, or waits there
+// as far as tissue lets it (sim/tool/followed_place.h). It goes along tissue that is crushed, or waits there
 // (sim/contact/tissue/kept_back.h). Until it is first moved, it stays on its path.
 #pragma once
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ class InstrumentHand {
 
   std::optional<ToolPlace> commanded() const;
   double gap(const Session& session) const;  // [m] the way of its farthest point to where it is commanded
-  bool waits() const { return waits_; }      // for tissue that cannot follow, as of the last step
+  bool waits() const { return waits_; }      // at tissue that is crushed, as of the last step
 
  private:
   LedPlace& command(const Session& session);

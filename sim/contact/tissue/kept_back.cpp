@@ -19,9 +19,10 @@ namespace {
 
 // A principal stretch. Nearly incompressible tissue gives to the sides: its volume says nothing.
 constexpr double kCrushed = 0.15;
-constexpr double kDeep = 0.25;     // of `near`: within it the iterations of a step follow a tool
 constexpr double kNothing = 1e-3;  // of a way
-constexpr int kSweeps = 32;        // over the places that a way is led along
+// Of a way that is left of it along crushed tissue: a hand that presses on would else drill itself in step by step.
+constexpr double kAlong = 0.5;
+constexpr int kSweeps = 32;  // over the places that a way is led along
 
 // A place that the tool comes no closer to.
 struct Stop {
@@ -79,8 +80,8 @@ double least_stretch(const Model& model, std::size_t tet, std::span<const Vector
 
 namespace {
 
-std::vector<Stop> stops_of(const Model& model, const TissueCover& cover, std::span<const Vector3d> positions,
-                           const Tool& tool, const ToolPlace& from, double near) {
+std::vector<Stop> stops_of(const Model& model, std::span<const Vector3d> positions, const Tool& tool,
+                           const ToolPlace& from, double near) {
   std::vector<Vector3d> centers;  // of balls around the pieces
   for (std::size_t piece = 0; piece < tool.piece_count(); ++piece)
     centers.push_back(tool.pose_of_piece(piece, from).to_scene(middle_of(tool.shape)));
@@ -94,15 +95,14 @@ std::vector<Stop> stops_of(const Model& model, const TissueCover& cover, std::sp
       continue;
     if (const Stop stop = stop_at(tool, from, middle); stop.distance < near) stops.push_back(stop);
   }
-  for (const Vector3d& place : cover.places_in(tool, from, kDeep * near)) stops.push_back(stop_at(tool, from, place));
   return stops;
 }
 
 }  // namespace
 
-ToolPlace kept_back(const Model& model, const TissueCover& cover, std::span<const Vector3d> positions, const Tool& tool,
-                    const ToolPlace& from, const ToolPlace& to, double near) {
-  const std::vector<Stop> stops = stops_of(model, cover, positions, tool, from, near);
+ToolPlace kept_back(const Model& model, std::span<const Vector3d> positions, const Tool& tool, const ToolPlace& from,
+                    const ToolPlace& to, double near) {
+  const std::vector<Stop> stops = stops_of(model, positions, tool, from, near);
   const auto closes = [&](const Stop& stop) {
     const RigidPose begin = tool.pose_of_piece(stop.piece, from), end = tool.pose_of_piece(stop.piece, to);
     return (end.to_scene(begin.to_local(stop.place)) - stop.place).dot(stop.away) > 0;
@@ -114,7 +114,7 @@ ToolPlace kept_back(const Model& model, const TissueCover& cover, std::span<cons
     for (const Stop& stop : stops) way -= std::max(0.0, way.dot(stop.away)) * stop.away;
   const bool still_closes = std::any_of(stops.begin(), stops.end(),
                                         [&](const Stop& stop) { return way.dot(stop.away) > kNothing * way.norm(); });
-  if (still_closes || way.norm() <= kNothing * whole.norm()) return from;
+  if (still_closes || way.norm() < kAlong * whole.norm()) return from;
   ToolPlace along = from;
   along.pose.origin += way;
   return along;

@@ -62,19 +62,6 @@ double TissueCover::clearance(const Tool& tool, const ToolPlace& place) const {
   return nearest;
 }
 
-std::vector<Vector3d> TissueCover::places_in(const Tool& tool, const ToolPlace& place, double depth) const {
-  const double bound = bounding_radius(tool.shape);
-  std::vector<Vector3d> places;
-  for (const Ball& ball : balls_)
-    for (std::size_t piece = 0; piece < tool.piece_count(); ++piece) {
-      const Vector3d local = tool.pose_of_piece(piece, place).to_local(ball.center);
-      if ((local - middle_of(tool.shape)).norm() > bound || distance_to(tool.shape, local).distance >= -depth) continue;
-      places.push_back(ball.center);
-      break;
-    }
-  return places;
-}
-
 bool TissueCover::is_met_by(const Tool& tool, const ToolPlace& from, const ToolPlace& to) const {
   if (from == to) return false;
   const double reach = way_between(tool, from, to, size()) + kContactMargin * size() + half_thickness_;

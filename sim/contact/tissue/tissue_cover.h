@@ -21,8 +21,6 @@ class TissueCover {
   double size() const { return box_.diagonal().norm(); }  // [m] of the tissue as of follow()
   /// The distance of the tool from the tissue [m], or less. Far away it takes the box around the tissue.
   double clearance(const Tool& tool, const ToolPlace& place) const;
-  /// Places of the surface that are in the tool by more than `depth` [m].
-  std::vector<Eigen::Vector3d> places_in(const Tool& tool, const ToolPlace& place, double depth) const;
   /// Whether a tool that moves from one place to the other in a step may touch the tissue, which is at rest. False for
   /// a tool that does not move, wherever it is.
   bool is_met_by(const Tool& tool, const ToolPlace& from, const ToolPlace& to) const;
