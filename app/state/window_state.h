@@ -68,7 +68,7 @@ struct SceneFacts {
 struct InstrumentState {
   std::optional<std::size_t> picked;  // tool of the model that the mouse moves
   double gap = 0;                     // [m] the way of its farthest point to where it is commanded
-  bool waits = false;                 // for tissue that cannot follow
+  bool waits = false;                 // at tissue that is crushed
   ToolReadings readings;
 };
 

@@ -36,7 +36,7 @@ constexpr double passing_forces = 1e-2;  // the same on the way of tools, where 
 constexpr double rounded_forces = 1e-5;  // the same where rounding is what changes them
 constexpr double borne_at_rest = 1e-5;   // force of inertia in bodies that have landed, relative to the largest one
 constexpr double farthest_fall = 1e4;    // sizes of the tissue: beyond it nothing lands or stops
-constexpr double shortest_part = 1.0 / 1024;  // of the time of a prescribed motion that leads through something
+constexpr double shortest_part = 1.0 / 1024;  // of the time of a motion that leads through something
 
 }  // namespace
 
@@ -146,7 +146,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
     return depth_in_tissue(model, contact, state.displacement, tool, place);
   };
   NewtonReport report;
-  const BorneBodies borne(model, contact);
+  const BorneBodies borne_bodies(model, contact);
   const double shortest = shortest_part * (end - begin);
   int in_vain = 0;  // Newton iterations
   for (const double time : approach_times(model.tools, contact.finest_parts, begin, end, size, motion, depth)) {
@@ -159,7 +159,7 @@ NewtonReport NewtonSolver::Impl::solve_static(State& state, double tolerance, st
       const auto is_clear = [&] {
         rest = way = motion(state.time, to());
         carried = u;
-        borne.carry(state.contact, carried, rest);
+        borne_bodies.carry(state.contact, carried, rest);
         return clear.of_moving_tools(u, carried, way) && (carried == u || clear(u, carried, way));
       };
       while (!is_clear() && part > shortest) part /= 2;

@@ -175,7 +175,7 @@ bool carries(Method method, MaterialModel model) {
 }
 
 std::string refusal(Method method, const std::vector<Material>& materials, bool quadratic, bool contact) {
-  // What no other value of the scene would mend comes first.
+  // First, because another material would not help then.
   if (contact && !info_of(method).carries_contact) return "Needs a scene without contact.";
   for (const Material& material : materials)
     if (!carries(method, material.model))

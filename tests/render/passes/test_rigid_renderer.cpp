@@ -94,11 +94,15 @@ TEST_CASE("a shadow map serves for more pictures until rigid things move far") {
     target.resolve();
     return test::color_at(target.read(), ball.at).sum();
   };
-  const Vector3d aside = ball.light.unitOrthogonal();
-  const double lit = drawn(1.3 * ball.light + 0.27 * aside);
-  const double kept = drawn(1.3 * ball.light + 0.262 * aside), shaded = drawn(1.3 * ball.light);
-  CAPTURE(lit, kept, shaded);
+  // The edge of the shade, 0.25 from its middle, goes over the pixel.
+  const Vector3d aside = ball.light.unitOrthogonal(), before = 1.3 * ball.light + 0.258 * aside,
+                 after = 1.3 * ball.light + 0.243 * aside;
+  const double lit = drawn(before), kept = drawn(after), shaded = drawn(1.3 * ball.light);
+  scene.rigid = shade(ball.light, after);
+  const double with_new_map = test::color_at(scene.draw(), ball.at).sum();
+  CAPTURE(lit, kept, with_new_map, shaded);
   CHECK(kept == Approx(lit).epsilon(0.01));
+  CHECK(with_new_map < 0.95 * lit);
   CHECK(shaded < 0.9 * lit);
 }
 
